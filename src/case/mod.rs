@@ -1,0 +1,60 @@
+//! Cases: a field, two transfer functions, a ray length, and the exact answer.
+
+mod homogeneous_slab;
+mod nodes;
+mod reciprocal;
+mod sine_squared;
+mod structure;
+
+pub use homogeneous_slab::HomogeneousSlab;
+pub use nodes::{Column, Fresh, Nodes, Shared};
+pub use reciprocal::{Reciprocal, ReciprocalSquare};
+pub use sine_squared::SineSquared;
+pub use structure::{PolynomialTransfer, Structure};
+
+use crate::real::Real;
+use rug::Rational;
+use std::fmt::Debug;
+
+/// What the two transfer functions say of one field value.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Transfer<R> {
+    /// C(s), dimensionless radiance emitted per unit of optical depth.
+    pub emission: R,
+    /// τ(s), extinction per unit of length.
+    pub extinction: R,
+}
+
+/// One ray through one medium, with its exact radiance.
+///
+/// I(λ) = ∫₀^λ C(s(x)) τ(s(x)) exp(−t(x)) dx with t(x) = ∫₀ˣ τ(s(u)) du, for 0 ≤ λ ≤ D.
+///
+/// Everything is evaluated in the format of its argument; an implementation takes its constants from
+/// [`Format::ratio`](crate::real::Format::ratio) and never from binary64.
+pub trait Case: Debug + Send + Sync {
+    /// A short name, as the command line takes it.
+    fn name(&self) -> &'static str;
+
+    /// D, the length of the ray.
+    fn length(&self) -> Rational;
+
+    /// s(λ).
+    fn field<R: Real>(&self, lambda: &R) -> R;
+
+    /// C(s) and τ(s), together because they often share work.
+    fn transfer<R: Real>(&self, s: &R) -> Transfer<R>;
+
+    /// τ(s) alone.
+    fn extinction<R: Real>(&self, s: &R) -> R {
+        self.transfer(s).extinction
+    }
+
+    /// The exact optical depth t(λ).
+    fn optical_depth<R: Real>(&self, lambda: &R) -> R;
+
+    /// The exact radiance I(λ).
+    fn radiance<R: Real>(&self, lambda: &R) -> R;
+
+    /// What is known of its smoothness and algebraic form.
+    fn structure(&self) -> Structure;
+}

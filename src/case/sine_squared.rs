@@ -1,0 +1,55 @@
+//! The case of the paper's Table 1.
+
+use super::{Case, Structure, Transfer};
+use crate::real::{Format, Real};
+use rug::Rational;
+
+/// s = λ, C = sin s², τ = s cos s² on [0, 1]; t(λ) = sin(λ²)/2 and
+/// I(λ) = 2 − (sin λ² + 2) exp(−sin(λ²)/2).
+///
+/// Source: Etiene, Kirby and Silva (2013), section 3. The closed form is proved in `proofs/Cases.v`.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct SineSquared;
+
+impl Case for SineSquared {
+    fn name(&self) -> &'static str {
+        "sine-squared"
+    }
+
+    fn length(&self) -> Rational {
+        Rational::from(1)
+    }
+
+    fn field<R: Real>(&self, lambda: &R) -> R {
+        lambda.clone()
+    }
+
+    fn transfer<R: Real>(&self, s: &R) -> Transfer<R> {
+        let (sin, cos) = (s.clone() * s).sin_cos();
+        Transfer {
+            emission: sin,
+            extinction: cos * s,
+        }
+    }
+
+    fn optical_depth<R: Real>(&self, lambda: &R) -> R {
+        let (sin, _) = (lambda.clone() * lambda).sin_cos();
+        sin / &lambda.format().int(2)
+    }
+
+    fn radiance<R: Real>(&self, lambda: &R) -> R {
+        let two = lambda.format().int(2);
+        let (sin, _) = (lambda.clone() * lambda).sin_cos();
+        let transmittance = (-(sin.clone() / &two)).exp();
+        // 2 (1 − T) − sin λ² T: the first difference without its cancellation at small λ.
+        let opacity = -(-(sin.clone() / &two)).exp_m1();
+        opacity * &two - &(sin * &transmittance)
+    }
+
+    fn structure(&self) -> Structure {
+        Structure {
+            field_degree: Some(1),
+            transfer: None,
+        }
+    }
+}

@@ -1,0 +1,83 @@
+//! One run at one refinement level.
+
+use crate::real::{MpfrReal, Real};
+use rug::Float;
+use serde::{Serialize, Serializer};
+
+/// The smallest nonzero magnitude that [`serialize_float`] writes as a number.
+pub const JSON_NUMBER_MIN: f64 = 1e-300;
+
+/// One run at one level: its step, its signed error, and the roundoff floor there.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct Sample {
+    /// Number of segments, where the step divides the ray.
+    pub n: Option<u64>,
+    /// Step d > 0.
+    pub step: f64,
+    /// Signed error, approximation − exact, of any precision and magnitude.
+    #[serde(serialize_with = "serialize_float")]
+    pub error: Float,
+    /// Magnitude below which the error is roundoff; 0 where none is known.
+    #[serde(serialize_with = "serialize_float")]
+    pub floor: Float,
+}
+
+/// log₂|x|, −∞ for 0; magnitudes far outside binary64's range are fine.
+pub(super) fn log2_abs(x: &Float) -> f64 {
+    MpfrReal::from(x.clone()).log2_abs()
+}
+
+/// Writes `x` as a JSON number where binary64 holds it well (0, or 1e-300 ≤ |x| ≤ binary64's
+/// largest), otherwise as a string: decimal with 17 digits, or `NaN`, `inf`, `-inf`.
+///
+/// # Errors
+///
+/// Those of the serializer.
+pub fn serialize_float<S: Serializer>(x: &Float, serializer: S) -> Result<S::Ok, S::Error> {
+    let narrow = x.to_f64();
+    if x.is_zero() || (narrow.is_finite() && narrow.abs() >= JSON_NUMBER_MIN) {
+        serializer.serialize_f64(narrow)
+    } else {
+        serializer.serialize_str(&x.to_string_radix(10, Some(17)))
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn json(text: &str) -> String {
+        let x = Float::with_val(200, Float::parse(text).unwrap());
+        serde_json::to_string(&Sample {
+            n: None,
+            step: 0.5,
+            floor: Float::new(53),
+            error: x,
+        })
+        .unwrap()
+    }
+
+    #[test]
+    fn errors_are_numbers_down_to_1e_300_and_strings_below() {
+        for (text, written) in [
+            ("-0.25", "-0.25"),
+            ("0", "0.0"),
+            ("1e-300", "1e-300"),
+            ("9e-301", "\"9.0000000000000000e-301\""),
+            ("-1.5e-2000", "\"-1.5000000000000000e-2000\""),
+            ("1e400", "\"1.0000000000000000e400\""),
+            ("nan", "\"NaN\""),
+            ("-inf", "\"-inf\""),
+        ] {
+            let expected = format!("{{\"n\":null,\"step\":0.5,\"error\":{written},\"floor\":0.0}}");
+            assert_eq!(json(text), expected);
+        }
+    }
+
+    #[test]
+    fn logarithms_survive_outside_binary64() {
+        let tiny = Float::with_val(64, 1) >> 10_000;
+        assert_eq!(log2_abs(&-tiny), -10_000.0);
+        assert_eq!(log2_abs(&Float::new(53)), f64::NEG_INFINITY);
+    }
+}

@@ -1,0 +1,245 @@
+//! What a fit says of an expectation.
+
+use super::Note;
+use crate::method::Expected;
+use serde::Serialize;
+use std::fmt;
+
+/// The widest half-width that still confirms an order.
+pub const MAX_HALF_WIDTH: f64 = 0.25;
+
+/// Orders below this do not count as convergence.
+pub(super) const NO_CONVERGENCE: f64 = 0.1;
+
+/// What the errors of a ladder say, compared with the order expected.
+///
+/// Precedence; the first line that applies is the verdict ("trend": over the last up to four levels
+/// above the floor, at least three, no pairwise order reaches 0.1):
+///
+/// | # | verdict | when |
+/// |---|---|---|
+/// | 1 | `NotFinite` | an error or a floor is NaN or infinite |
+/// | 2 | `TooFewLevels` | fewer than 4 levels |
+/// | 3 | `Exact` | every \|e\| ≤ 30·floor (with floor 0: e = 0); `Blind` on a blind case |
+/// | 4 | `Diverged` | beyond the floor's cut, errors rise above 30 floors again and grow up to the last level |
+/// | 5 | `Diverged` | a window with order ≤ −0.1; without a window, a trend with net order ≤ −0.1 |
+/// | 6 | `Oscillatory` | a sign change inside the window; without one, two among the last 4 usable levels; `Blind` on a blind case |
+/// | 7 | `Stalled` | a window with \|order\| < 0.1; without one, a trend with net order > −0.1 |
+/// | 8 | `Blind` | the case is blind for the method |
+/// | 9 | `PreAsymptotic` | errors rise above 30 floors again beyond the cut |
+/// | 10 | `FloorLimited` | the floor cut the ladder, and no window is left or its half-width exceeds 0.25; or the half-width exceeds 0.25 by the floor's share of it |
+/// | 11 | `PreAsymptotic` | no window, or a half-width above 0.25 |
+/// | 12 | `Fitted` | nothing was expected |
+/// | 13 | `Confirmed` | the expected order lies within order ± half-width |
+/// | 14 | `TooLow`, `TooHigh` | it lies above, below the interval (`TooLow` where `Exact` was expected) |
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, Serialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum Verdict {
+    /// The expected order lies inside the interval, which is narrow enough to mean something.
+    Confirmed,
+    /// The fitted order is lower than expected.
+    TooLow,
+    /// The fitted order is higher than expected: the case does not exercise the method.
+    TooHigh,
+    /// No asymptotic window yet, or too wide an interval: finer levels are needed.
+    PreAsymptotic,
+    /// The roundoff floor ends the ladder before an order shows: more precision is needed.
+    FloorLimited,
+    /// No error above the floor at any level.
+    Exact,
+    /// The error stays where it is, above the floor.
+    Stalled,
+    /// The error changes sign where it should be asymptotic.
+    Oscillatory,
+    /// The error grows as the step shrinks.
+    Diverged,
+    /// Fewer than four levels: nothing can be said.
+    TooFewLevels,
+    /// An error or a floor is NaN or infinite.
+    NotFinite,
+    /// The case hides the method's leading error: it neither passes nor fails.
+    Blind,
+    /// An order was fitted, and nothing was expected.
+    Fitted,
+}
+
+impl Verdict {
+    /// Whether a check passes: `Confirmed`, and `Exact` where `Exact` is expected.
+    #[must_use]
+    pub fn passes(self, expected: Option<Expected>) -> bool {
+        match self {
+            Verdict::Confirmed => true,
+            Verdict::Exact => expected == Some(Expected::Exact),
+            _ => false,
+        }
+    }
+
+    /// The verdict's name, as in JSON.
+    #[must_use]
+    pub fn name(self) -> &'static str {
+        match self {
+            Verdict::Confirmed => "confirmed",
+            Verdict::TooLow => "too-low",
+            Verdict::TooHigh => "too-high",
+            Verdict::PreAsymptotic => "pre-asymptotic",
+            Verdict::FloorLimited => "floor-limited",
+            Verdict::Exact => "exact",
+            Verdict::Stalled => "stalled",
+            Verdict::Oscillatory => "oscillatory",
+            Verdict::Diverged => "diverged",
+            Verdict::TooFewLevels => "too-few-levels",
+            Verdict::NotFinite => "not-finite",
+            Verdict::Blind => "blind",
+            Verdict::Fitted => "fitted",
+        }
+    }
+}
+
+impl fmt::Display for Verdict {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.pad(self.name())
+    }
+}
+
+/// An order with its interval, as found in a window.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Estimate {
+    pub(super) order: f64,
+    pub(super) half_width: f64,
+    /// The part of the half-width that comes from the floor.
+    pub(super) floor_share: f64,
+    pub(super) sign_change: bool,
+}
+
+/// How the errors move over the last levels.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Trend {
+    Growing,
+    Flat,
+    Converging,
+}
+
+impl Trend {
+    /// Of the finest up to four (log₂ step, log₂ |error|), coarse to fine; `Converging` where fewer
+    /// than three are given, which is too little to call it anything else.
+    pub(super) fn of(points: &[(f64, f64)]) -> Trend {
+        let tail = &points[points.len().saturating_sub(4)..];
+        let converges = tail
+            .windows(2)
+            .any(|w| (w[0].1 - w[1].1) / (w[0].0 - w[1].0) >= NO_CONVERGENCE);
+        match tail {
+            [first, _, .., last] if !converges => {
+                if (first.1 - last.1) / (first.0 - last.0) <= -NO_CONVERGENCE {
+                    Trend::Growing
+                } else {
+                    Trend::Flat
+                }
+            }
+            _ => Trend::Converging,
+        }
+    }
+}
+
+/// Everything a verdict rests on.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Evidence {
+    pub(super) levels: usize,
+    pub(super) finite: bool,
+    /// No level stands above the floor.
+    pub(super) all_at_floor: bool,
+    /// The floor cut the ladder.
+    pub(super) cut: bool,
+    /// Errors exceed 30 floors again beyond the cut.
+    pub(super) rises: bool,
+    /// … and grow up to the last level.
+    pub(super) rises_to_the_end: bool,
+    /// Trend of the usable levels.
+    pub(super) trend: Trend,
+    /// Sign changes among the last four usable levels.
+    pub(super) late_sign_changes: usize,
+    pub(super) estimate: Option<Estimate>,
+}
+
+/// The verdict by the table at [`Verdict`].
+pub(super) fn judge(evidence: &Evidence, expected: Option<Expected>) -> Verdict {
+    let blind = matches!(expected, Some(Expected::Blind { .. }));
+    let unless_blind = |verdict| if blind { Verdict::Blind } else { verdict };
+    if !evidence.finite {
+        return Verdict::NotFinite;
+    }
+    if evidence.levels < super::window::MIN_WINDOW {
+        return Verdict::TooFewLevels;
+    }
+    if evidence.all_at_floor {
+        return unless_blind(Verdict::Exact);
+    }
+    let (trend, oscillates) = match evidence.estimate {
+        Some(e) if e.order <= -NO_CONVERGENCE => (Trend::Growing, e.sign_change),
+        Some(e) if e.order < NO_CONVERGENCE => (Trend::Flat, e.sign_change),
+        Some(e) => (Trend::Converging, e.sign_change),
+        None => (evidence.trend, evidence.late_sign_changes >= 2),
+    };
+    if evidence.rises_to_the_end || trend == Trend::Growing {
+        return Verdict::Diverged;
+    }
+    if oscillates {
+        return unless_blind(Verdict::Oscillatory);
+    }
+    if trend == Trend::Flat {
+        return Verdict::Stalled;
+    }
+    if blind {
+        return Verdict::Blind;
+    }
+    if evidence.rises {
+        return Verdict::PreAsymptotic;
+    }
+    let narrow = evidence.estimate.filter(|e| e.half_width <= MAX_HALF_WIDTH);
+    match narrow {
+        Some(estimate) => compare(estimate, expected),
+        None if evidence.cut || floor_widens(evidence.estimate) => Verdict::FloorLimited,
+        None => Verdict::PreAsymptotic,
+    }
+}
+
+/// Would the interval be narrow enough without the floor's share?
+fn floor_widens(estimate: Option<Estimate>) -> bool {
+    estimate.is_some_and(|e| e.half_width - e.floor_share <= MAX_HALF_WIDTH)
+}
+
+/// Where the expected order lies, seen from a narrow interval.
+fn compare(estimate: Estimate, expected: Option<Expected>) -> Verdict {
+    match expected {
+        None => Verdict::Fitted,
+        Some(Expected::Blind { .. }) => Verdict::Blind,
+        Some(Expected::Exact) => Verdict::TooLow,
+        Some(Expected::Order(p)) => {
+            if (p - estimate.order).abs() <= estimate.half_width {
+                Verdict::Confirmed
+            } else if estimate.order < p {
+                Verdict::TooLow
+            } else {
+                Verdict::TooHigh
+            }
+        }
+    }
+}
+
+/// Whether a missing floor may be what keeps a verdict from being better.
+pub(super) fn floor_matters(verdict: Verdict) -> bool {
+    matches!(
+        verdict,
+        Verdict::PreAsymptotic
+            | Verdict::FloorLimited
+            | Verdict::Stalled
+            | Verdict::Oscillatory
+            | Verdict::Diverged
+    )
+}
+
+/// Adds the remark that no floor was given, where it may matter.
+pub(super) fn remark_missing_floor(verdict: Verdict, floor_known: bool, notes: &mut Vec<Note>) {
+    if !floor_known && floor_matters(verdict) {
+        notes.push(Note::FloorUnknown);
+    }
+}

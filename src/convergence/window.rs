@@ -1,0 +1,96 @@
+//! The asymptotic window: the longest fine-side run of levels whose pairwise orders agree.
+
+use serde::Serialize;
+
+/// Fewest levels a window may have.
+pub(super) const MIN_WINDOW: usize = 4;
+
+/// How closely pairwise orders have to agree with the last one, tried in this order.
+const TOLERANCES: [f64; 3] = [0.02, 0.05, 0.1];
+
+/// At the loosest tolerance, a monotone drift of more than this in total is bias on its way
+/// to another order, not a plateau.
+const MAX_DRIFT: f64 = 0.05;
+
+/// The levels an order was fitted in.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+pub struct Window {
+    /// Index of the coarsest level.
+    pub first: usize,
+    /// Index of the finest level.
+    pub last: usize,
+    /// Step of the coarsest level.
+    pub coarsest_step: f64,
+    /// Step of the finest level.
+    pub finest_step: f64,
+    /// Number of segments of the coarsest level, where known.
+    pub coarsest_n: Option<u64>,
+    /// Number of segments of the finest level, where known.
+    pub finest_n: Option<u64>,
+    /// How closely the pairwise orders agree with the last: 0.02, 0.05 or 0.1.
+    pub tolerance: f64,
+}
+
+/// How many pairs at the fine end make a window, and at which tolerance.
+pub(super) fn find(orders: &[f64]) -> Option<(usize, f64)> {
+    let last = *orders.last()?;
+    TOLERANCES
+        .into_iter()
+        .find_map(|tolerance| {
+            let pairs = orders
+                .iter()
+                .rev()
+                .take_while(|p| (*p - last).abs() <= tolerance)
+                .count();
+            (pairs + 1 >= MIN_WINDOW).then_some((pairs, tolerance))
+        })
+        .filter(|(pairs, tolerance)| {
+            *tolerance <= MAX_DRIFT || !drifts(&orders[orders.len() - pairs..])
+        })
+}
+
+/// Do the orders move one way all along, by more than [`MAX_DRIFT`] in total?
+fn drifts(orders: &[f64]) -> bool {
+    let one_way = orders.is_sorted() || orders.iter().rev().is_sorted();
+    let total = match orders {
+        [first, .., last] => (last - first).abs(),
+        _ => 0.0,
+    };
+    one_way && total > MAX_DRIFT
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_tightest_tolerance_that_gives_four_levels_wins() {
+        assert_eq!(find(&[5.0, 2.015, 1.99, 2.0]), Some((3, 0.02)));
+        assert_eq!(find(&[1.96, 2.04, 1.99, 2.0]), Some((4, 0.05)));
+        assert_eq!(find(&[2.09, 1.95, 2.0, 1.93, 2.0]), Some((5, 0.1)));
+    }
+
+    #[test]
+    fn a_window_has_four_levels_and_touches_the_fine_end() {
+        assert_eq!(find(&[]), None);
+        assert_eq!(find(&[2.0, 2.0]), None);
+        assert_eq!(find(&[2.0, 2.0, 2.0]), Some((3, 0.02)));
+        assert_eq!(find(&[2.0, 2.0, 2.0, 2.0, 2.5]), None);
+    }
+
+    #[test]
+    fn a_tight_window_is_not_widened() {
+        assert_eq!(find(&[2.04, 2.0, 2.0, 2.0]), Some((3, 0.02)));
+    }
+
+    #[test]
+    fn monotone_drift_at_the_loosest_tolerance_is_no_plateau() {
+        // A transition from 4 to 2 passes slowly: 3.85 3.81 3.78 3.76 would be a false plateau.
+        assert_eq!(find(&[3.85, 3.80, 3.76]), None);
+        assert_eq!(find(&[3.76, 3.80, 3.85]), None);
+        // The same spread without a direction is scatter around a plateau.
+        assert_eq!(find(&[3.80, 3.85, 3.76]), Some((3, 0.1)));
+        // A drift of at most 0.05 is already a window at 0.05.
+        assert_eq!(find(&[3.80, 3.78, 3.76]), Some((3, 0.05)));
+    }
+}

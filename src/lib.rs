@@ -1,0 +1,6 @@
+//! x
+pub mod case;
+pub mod convergence;
+pub mod method;
+pub mod quadrature;
+pub mod real;

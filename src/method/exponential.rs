@@ -1,0 +1,75 @@
+//! The exponential of the optical depth: exact, or a Taylor polynomial.
+
+use crate::real::{Format, Real};
+use std::fmt;
+
+/// How exp(−x) is computed.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum Exponential {
+    /// The format's exponential.
+    Exact,
+    /// 1 − x.
+    Linear,
+    /// 1 − x + x²/2.
+    Quadratic,
+    /// 1 − x + x²/2 − x³/6.
+    Cubic,
+}
+
+/// What the exponential is taken of.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum Scope {
+    /// Each segment's depth: T = ∏ E(qⱼ), as compositing does.
+    PerSegment,
+    /// The whole optical depth: T = E(Σ qⱼ). A Taylor polynomial of it does not converge as d → 0.
+    Whole,
+}
+
+impl Exponential {
+    /// E(−x) for this approximation E.
+    pub fn of_negative<R: Real>(self, x: &R) -> R {
+        let degree = match self {
+            Exponential::Exact => return (-x.clone()).exp(),
+            Exponential::Linear => 1,
+            Exponential::Quadratic => 2,
+            Exponential::Cubic => 3,
+        };
+        // 1 − x (1 − x/2 (1 − x/3))
+        let format = x.format();
+        let mut sum = format.int(1);
+        for k in (1..=degree).rev() {
+            sum *= x;
+            if k > 1 {
+                sum /= &format.int(k);
+            }
+            sum = -sum;
+            sum += &format.int(1);
+        }
+        sum
+    }
+
+    /// The order that this contributes to a method: a degree k polynomial per segment leaves
+    /// O(d^(k+1)) in each of n = D/d segments, hence k; of the whole depth it leaves a constant, 0.
+    /// `None` where it contributes no error.
+    #[must_use]
+    pub fn order(self, scope: Scope) -> Option<f64> {
+        match (self, scope) {
+            (Exponential::Exact, _) => None,
+            (_, Scope::Whole) => Some(0.0),
+            (Exponential::Linear, Scope::PerSegment) => Some(1.0),
+            (Exponential::Quadratic, Scope::PerSegment) => Some(2.0),
+            (Exponential::Cubic, Scope::PerSegment) => Some(3.0),
+        }
+    }
+}
+
+impl fmt::Display for Exponential {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.pad(match self {
+            Exponential::Exact => "exact",
+            Exponential::Linear => "linear",
+            Exponential::Quadratic => "quadratic",
+            Exponential::Cubic => "cubic",
+        })
+    }
+}

@@ -1,0 +1,152 @@
+//! The inner integral: the optical depth at every place where the outer rule looks.
+
+mod monte_carlo;
+mod pairs;
+mod segments;
+
+pub use pairs::Filling;
+
+use super::error::{MethodError, require_multiple};
+use crate::case::Nodes;
+use crate::quadrature::{Rule, Sampling};
+use crate::real::{Format, Real};
+use rug::Rational;
+use std::fmt;
+
+/// How the optical depth t(λ) = ∫₀^λ τ is approximated.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum Inner {
+    /// The rule on every segment by itself, with nodes of its own inside the segment
+    /// (Simpson: the segment's midpoint).
+    PerSegment(Rule),
+    /// Simpson's rule over pairs of segments, which uses boundaries alone and leaves the odd ones to be filled.
+    SimpsonPairs(Filling),
+    /// Random samples.
+    MonteCarlo {
+        /// Which samples.
+        sampling: Sampling,
+        /// Where their stream starts.
+        seed: u64,
+    },
+}
+
+/// The optical depth along a ray of n segments.
+#[derive(Clone, Debug)]
+pub struct OpticalDepth<R> {
+    /// The depth of each segment.
+    pub segments: Vec<R>,
+    /// The depth from the front to each boundary, 0 first: n + 1 values.
+    pub boundaries: Vec<R>,
+}
+
+impl<R: Real> OpticalDepth<R> {
+    fn from_segments(segments: Vec<R>, zero: R) -> Self {
+        let mut depth = zero;
+        let mut boundaries = Vec::with_capacity(segments.len() + 1);
+        boundaries.push(depth.clone());
+        for segment in &segments {
+            depth += segment;
+            boundaries.push(depth.clone());
+        }
+        OpticalDepth {
+            segments,
+            boundaries,
+        }
+    }
+
+    fn from_boundaries(boundaries: Vec<R>) -> Self {
+        let segments = boundaries
+            .windows(2)
+            .map(|pair| pair[1].clone() - &pair[0])
+            .collect();
+        OpticalDepth {
+            segments,
+            boundaries,
+        }
+    }
+}
+
+type Number<N> = <<N as Nodes>::Format as Format>::Real;
+
+impl Inner {
+    /// The optical depth of every segment and up to every boundary.
+    ///
+    /// # Errors
+    /// [`MethodError::Segments`] where n is 0, or odd for [`Inner::SimpsonPairs`].
+    pub fn depth<N: Nodes>(
+        self,
+        nodes: &N,
+        n: u64,
+    ) -> Result<OpticalDepth<Number<N>>, MethodError> {
+        let zero = nodes.format().int(0);
+        match self {
+            Inner::PerSegment(rule) => {
+                require_multiple(self, n, 1)?;
+                let whole = Rational::from(1);
+                let segments = segments::partial_depths(rule, nodes, n, &whole)?;
+                Ok(OpticalDepth::from_segments(segments, zero))
+            }
+            Inner::SimpsonPairs(filling) => {
+                require_multiple(self, n, 2)?;
+                let segments = pairs::segment_depths(filling, nodes, n);
+                Ok(OpticalDepth::from_segments(segments, zero))
+            }
+            Inner::MonteCarlo { sampling, seed } => {
+                require_multiple(self, n, 1)?;
+                Ok(monte_carlo::depth(sampling, seed, nodes, n))
+            }
+        }
+    }
+
+    /// For each segment the depth from its front to `offset` of its length, 0 < offset < 1; `depth`
+    /// is what [`Inner::depth`] gave.
+    ///
+    /// # Errors
+    /// As [`Inner::depth`].
+    pub fn partial_depths<N: Nodes>(
+        self,
+        nodes: &N,
+        n: u64,
+        offset: &Rational,
+        depth: &OpticalDepth<Number<N>>,
+    ) -> Result<Vec<Number<N>>, MethodError> {
+        match self {
+            Inner::PerSegment(rule) => Ok(segments::partial_depths(rule, nodes, n, offset)?),
+            Inner::SimpsonPairs(filling) => {
+                require_multiple(self, n, 2)?;
+                Ok(pairs::partial_depths(filling, nodes, n, offset))
+            }
+            Inner::MonteCarlo { sampling, seed } => Ok(monte_carlo::partial_depths(
+                sampling, seed, nodes, n, offset, depth,
+            )),
+        }
+    }
+
+    /// The order p of the optical depth (of its standard deviation's effect on the radiance, for
+    /// Monte Carlo); `None` where the depth of a medium whose extinction along the ray is a
+    /// polynomial of `extinction_degree` comes out exact.
+    ///
+    /// Source: the composite rules' orders; for pairs `SimpsonPairs` in this module.
+    #[must_use]
+    pub fn order(self, extinction_degree: Option<usize>) -> Option<f64> {
+        let (order, degree) = match self {
+            Inner::PerSegment(rule) => (f64::from(rule.order()), rule.degree() as usize),
+            Inner::SimpsonPairs(filling) => filling.order_and_degree(),
+            Inner::MonteCarlo { sampling, .. } => (sampling.order(), 0),
+        };
+        match extinction_degree {
+            Some(d) if d <= degree => None,
+            _ => Some(order),
+        }
+    }
+}
+
+impl fmt::Display for Inner {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Inner::PerSegment(rule) => rule.fmt(f),
+            Inner::SimpsonPairs(filling) => filling.fmt(f),
+            Inner::MonteCarlo { sampling, .. } => sampling.fmt(f),
+        }
+    }
+}

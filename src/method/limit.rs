@@ -1,0 +1,104 @@
+//! What limits a method's order: each part with its own, and where that is known from.
+
+use super::Expected;
+use std::fmt;
+
+/// A part of a method that makes a discretization error of its own.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum Part {
+    /// The rule for the optical depth: p.
+    InnerRule,
+    /// The rule for the radiance: q.
+    OuterRule,
+    /// A Taylor polynomial in place of the exponential.
+    Exponential,
+    /// The interpolated field in a segment's source term.
+    Source,
+    /// The interpolated field in a segment's transmittance.
+    Opacity,
+    /// The interpolated field in the attenuation inside a segment.
+    AttenuationInside,
+    /// The attenuation inside a segment left out.
+    NeglectedAttenuation,
+    /// A fixed number of sub-intervals in each segment.
+    SubIntervals,
+}
+
+impl Part {
+    /// Where the part's order is known from.
+    #[must_use]
+    pub fn source(self) -> &'static str {
+        match self {
+            Part::InnerRule | Part::OuterRule => {
+                "order of the composite rule; Etiene, Kirby and Silva (2013), equation 22"
+            }
+            Part::Exponential => {
+                "a degree k Taylor polynomial leaves O(d^(k+1)) in each of D/d segments"
+            }
+            Part::Source | Part::Opacity => {
+                "interpolation error; Etiene, Kirby and Silva (2013), equation 28"
+            }
+            Part::AttenuationInside => "interpolation error, integrated once more over a segment",
+            Part::NeglectedAttenuation => "Etiene, Kirby and Silva (2013), equation 31",
+            Part::SubIntervals => "order of the rule in d for a fixed number of sub-intervals",
+        }
+    }
+}
+
+impl fmt::Display for Part {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.pad(match self {
+            Part::InnerRule => "inner rule",
+            Part::OuterRule => "outer rule",
+            Part::Exponential => "exponential",
+            Part::Source => "interpolated source",
+            Part::Opacity => "interpolated opacity",
+            Part::AttenuationInside => "interpolated attenuation inside segments",
+            Part::NeglectedAttenuation => "neglected attenuation inside segments",
+            Part::SubIntervals => "sub-integration",
+        })
+    }
+}
+
+/// The order that one part allows on a case.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Limit {
+    /// The part.
+    pub part: Part,
+    /// Its order.
+    pub order: f64,
+    /// Whether its leading error coefficient is 0 on this very case, for a reason that has nothing to do
+    /// with the method.
+    pub vanishes: bool,
+}
+
+impl Limit {
+    pub(super) fn new(part: Part, order: f64) -> Self {
+        Limit {
+            part,
+            order,
+            vanishes: false,
+        }
+    }
+}
+
+impl Expected {
+    /// The least of the orders; blind where a part that vanishes on the case would have been the
+    /// limiting one.
+    #[must_use]
+    pub fn from_limits(limits: &[Limit]) -> Self {
+        let least = |limits: &mut dyn Iterator<Item = &Limit>| {
+            limits.map(|limit| limit.order).reduce(f64::min)
+        };
+        let general = least(&mut limits.iter());
+        let here = least(&mut limits.iter().filter(|limit| !limit.vanishes));
+        match (general, here) {
+            (None, _) => Expected::Exact,
+            (Some(general), Some(here)) if general >= here => Expected::Order(general),
+            (Some(general), here) => Expected::Blind {
+                general,
+                here: here.unwrap_or(f64::INFINITY),
+            },
+        }
+    }
+}

@@ -1,0 +1,77 @@
+//! Ways to approximate the volume rendering integral; each states its orders and their source.
+
+mod error;
+mod expected;
+mod exponential;
+mod inner;
+mod limit;
+mod nested;
+mod outer;
+mod preintegrated;
+
+pub use error::MethodError;
+pub use expected::Expected;
+pub use exponential::{Exponential, Scope};
+pub use inner::{Filling, Inner, OpticalDepth};
+pub use limit::{Limit, Part};
+pub use nested::{Attenuation, Nested};
+pub use outer::Outer;
+pub use preintegrated::{
+    Color, Integration, Interpolant, LastSegment, Opacity, Preintegrated, composite,
+};
+
+use crate::case::{Case, Nodes};
+use crate::real::Format;
+use std::fmt;
+
+/// A way to approximate the volume rendering integral.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum Method {
+    /// An inner rule under an outer rule.
+    Nested(Nested),
+    /// Segments integrated along an interpolated field.
+    Preintegrated(Preintegrated),
+}
+
+impl Method {
+    /// The radiance on n segments of length D/n.
+    ///
+    /// # Errors
+    /// [`MethodError`] where n does not suit the method, or the case lacks what the method needs.
+    pub fn radiance<N: Nodes>(
+        &self,
+        nodes: &N,
+        n: u64,
+    ) -> Result<<N::Format as Format>::Real, MethodError> {
+        match self {
+            Method::Nested(nested) => nested.radiance(nodes, n),
+            Method::Preintegrated(preintegrated) => preintegrated.radiance(nodes, n),
+        }
+    }
+
+    /// What limits the method's order on `case`, part by part.
+    #[must_use]
+    pub fn limits<C: Case>(&self, case: &C) -> Vec<Limit> {
+        let structure = case.structure();
+        match self {
+            Method::Nested(nested) => nested.limits(&structure),
+            Method::Preintegrated(preintegrated) => preintegrated.limits(&structure),
+        }
+    }
+}
+
+impl fmt::Display for Method {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Method::Nested(nested) => nested.fmt(f),
+            Method::Preintegrated(preintegrated) => preintegrated.fmt(f),
+        }
+    }
+}
+
+/// The order that theory gives `method` on `case`: min(p, q, what else the method approximates), less
+/// what the case makes exact or blind. Proved for nested rules in `proofs/Order.v`.
+#[must_use]
+pub fn expected<C: Case>(method: &Method, case: &C) -> Expected {
+    Expected::from_limits(&method.limits(case))
+}

@@ -1,0 +1,151 @@
+//! The outer integral: the source term under the transmittance.
+
+use super::error::{MethodError, require_multiple};
+use super::nested::{Attenuation, Number};
+use crate::case::{Column, Nodes};
+use crate::quadrature::Rule;
+use crate::real::{Format, Real};
+use rug::Rational;
+use std::fmt;
+
+/// The rule for ∫₀ᴰ C τ T dλ.
+///
+/// A closed Newton–Cotes rule is laid over the boundaries themselves, Simpson over pairs and Boole over
+/// fours of segments; midpoint and Gauss–Legendre look inside each segment, where the inner rule
+/// continues the optical depth from the segment's front.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub struct Outer(pub Rule);
+
+impl Outer {
+    /// What the number of segments must be a multiple of.
+    #[must_use]
+    pub fn segments_multiple(self) -> u64 {
+        u64::from(self.0.intervals().unwrap_or(1))
+    }
+
+    /// The order q of the rule.
+    #[must_use]
+    pub fn order(self) -> f64 {
+        f64::from(self.0.order())
+    }
+
+    /// The radiance: ∑ W C τ T.
+    ///
+    /// # Errors
+    /// [`MethodError::Segments`] where n is no multiple of [`Outer::segments_multiple`].
+    pub fn radiance<N: Nodes>(
+        self,
+        attenuation: &Attenuation<'_, N>,
+    ) -> Result<Number<N>, MethodError> {
+        let (nodes, n) = (attenuation.nodes(), attenuation.segments());
+        require_multiple(self.0, n, self.segments_multiple())?;
+        let format = nodes.format();
+        let step = format.ratio(&(Rational::from(nodes.length()) / n));
+        let sum = match self.0.intervals() {
+            Some(intervals) => self.over_boundaries(attenuation, intervals)?,
+            None => self.inside_segments(attenuation)?,
+        };
+        Ok(sum * &step)
+    }
+
+    /// ∑ W C τ T over boundaries, from front to back, in units of the step.
+    fn over_boundaries<N: Nodes>(
+        self,
+        attenuation: &Attenuation<'_, N>,
+        intervals: u32,
+    ) -> Result<Number<N>, MethodError> {
+        let nodes = attenuation.nodes();
+        let format = nodes.format();
+        let weights = CompositeWeights::new(self.0, intervals, format)?;
+        let column = nodes.boundaries(attenuation.segments());
+        let last = column.extinction.len() - 1;
+        let mut sum = format.int(0);
+        let repeating = weights.repeating.iter().cycle();
+        for (i, (term, weight)) in terms(&column, attenuation.at_boundaries())
+            .zip(repeating)
+            .enumerate()
+        {
+            let weight = match i {
+                0 => &weights.first,
+                i if i == last => &weights.last,
+                _ => weight,
+            };
+            sum += &(term * weight);
+        }
+        Ok(sum)
+    }
+
+    /// ∑ₖ wₖ ∑ⱼ C τ T at the nodes inside the segments, in units of the step.
+    fn inside_segments<N: Nodes>(
+        self,
+        attenuation: &Attenuation<'_, N>,
+    ) -> Result<Number<N>, MethodError> {
+        let nodes = attenuation.nodes();
+        let format = nodes.format();
+        let table = self.0.table(format.bits())?;
+        let mut sum = format.int(0);
+        for (offset, weight) in table.nodes.iter().zip(&table.weights) {
+            let column = nodes.interior(attenuation.segments(), offset);
+            let transmittance = attenuation.inside(offset)?;
+            let mut part = format.int(0);
+            for term in terms(&column, &transmittance) {
+                part += &term;
+            }
+            sum += &(part * &format.ratio(weight));
+        }
+        Ok(sum)
+    }
+}
+
+/// C τ T, node by node.
+fn terms<'a, R: Real>(
+    column: &'a Column<R>,
+    transmittance: &'a [R],
+) -> impl Iterator<Item = R> + 'a {
+    column
+        .emission
+        .iter()
+        .zip(&column.extinction)
+        .zip(transmittance)
+        .map(|((emission, extinction), t)| emission.clone() * extinction * t)
+}
+
+/// A closed rule repeated over n segments, in units of the step: neighbours share a node.
+struct CompositeWeights<R> {
+    first: R,
+    /// The weights of nodes m, 1, 2 … m − 1 within each group of m segments, node m being the next
+    /// group's node 0.
+    repeating: Vec<R>,
+    last: R,
+}
+
+impl<R: Real> CompositeWeights<R> {
+    fn new(rule: Rule, intervals: u32, format: R::Format) -> Result<Self, MethodError> {
+        let table = rule.table(format.bits())?;
+        let mut weights = vec![Rational::new(); intervals as usize + 1];
+        for (node, weight) in table.nodes.iter().zip(&table.weights) {
+            let at = Rational::from(node * intervals);
+            for (k, slot) in weights.iter_mut().enumerate() {
+                if at == k {
+                    *slot = Rational::from(weight * intervals);
+                }
+            }
+        }
+        let (front, back) = (&weights[0], &weights[intervals as usize]);
+        let shared = format.ratio(&Rational::from(front + back));
+        let inner = weights[1..intervals as usize]
+            .iter()
+            .map(|w| format.ratio(w));
+        Ok(CompositeWeights {
+            first: format.ratio(front),
+            last: format.ratio(back),
+            repeating: std::iter::once(shared).chain(inner).collect(),
+        })
+    }
+}
+
+impl fmt::Display for Outer {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        self.0.fmt(f)
+    }
+}

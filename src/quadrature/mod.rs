@@ -1,0 +1,9 @@
+//! Quadrature rules: each yields nodes and weights on the unit interval at a [`Format`], and knows its order.
+
+mod gauss_legendre;
+mod monte_carlo;
+mod newton_cotes;
+mod rule;
+
+pub use monte_carlo::{Draw, Draws, Sampling};
+pub use rule::{MAX_GAUSS_POINTS, Rule, RuleError, UnitRule};

@@ -1,0 +1,109 @@
+//! Scalars: a [`Format`] is a value that makes numbers, a [`Real`] is a number that knows its format.
+//!
+//! Precision is a run-time value, there is no global state, and the native formats cost nothing.
+//! User code needs one bound, `R: Real`, or `F: Format`.
+//!
+//! Constants on a generic path are exact rationals ([`Format::ratio`], [`Format::fraction`]), rounded
+//! once. A binary64 literal there would silently cap every precision at 53 bits.
+
+mod mpfr;
+mod name;
+mod native;
+
+pub use mpfr::{Mpfr, MpfrReal};
+pub use name::{FormatError, FormatName, MAX_BITS, MIN_BITS, WithFormat};
+pub use native::{Native, NativeFloat};
+
+use rug::Rational;
+use std::fmt::{Debug, Display};
+use std::ops::{Add, AddAssign, Div, DivAssign, Mul, MulAssign, Neg, Sub, SubAssign};
+
+/// A floating-point format: a value that makes numbers of its own precision.
+pub trait Format: Copy + Debug + Display + PartialEq + Send + Sync + 'static {
+    /// The numbers of this format.
+    type Real: Real<Format = Self>;
+
+    /// Significant bits with the leading one: MPFR's convention (binary32: 24, binary64: 53).
+    fn bits(self) -> u32;
+
+    /// The integer `n`, rounded once to nearest; ∞ where the format's range ends before `n`
+    /// (`int(65536)` in binary16).
+    fn int(self, n: i64) -> Self::Real;
+
+    /// The rational `q`, rounded once to nearest, gradual underflow included.
+    fn ratio(self, q: &Rational) -> Self::Real;
+
+    /// `numerator / denominator`, rounded once to nearest. The result depends on the quotient only,
+    /// so that 1/2 and 512/1024 are the same number, bit for bit, in every format.
+    ///
+    /// `denominator` must not be 0.
+    fn fraction(self, numerator: u64, denominator: u64) -> Self::Real {
+        self.ratio(&Rational::from((numerator, denominator)))
+    }
+
+    /// π, rounded once to nearest.
+    fn pi(self) -> Self::Real;
+}
+
+/// A number of a [`Format`].
+///
+/// Operators take an owned left and a borrowed right operand: both the standard floats and MPFR
+/// have that shape, and it reuses MPFR's limbs. Elementary functions of MPFR are correctly rounded;
+/// those of a native format are what its library gives.
+pub trait Real:
+    Clone
+    + PartialOrd
+    + Debug
+    + Display
+    + Send
+    + Sync
+    + 'static
+    + Neg<Output = Self>
+    + for<'a> Add<&'a Self, Output = Self>
+    + for<'a> AddAssign<&'a Self>
+    + for<'a> Sub<&'a Self, Output = Self>
+    + for<'a> SubAssign<&'a Self>
+    + for<'a> Mul<&'a Self, Output = Self>
+    + for<'a> MulAssign<&'a Self>
+    + for<'a> Div<&'a Self, Output = Self>
+    + for<'a> DivAssign<&'a Self>
+{
+    /// The format this number belongs to.
+    type Format: Format<Real = Self>;
+
+    /// The format of this very number (its precision, for MPFR).
+    fn format(&self) -> Self::Format;
+
+    /// Takes the value of `from`, rounded to the precision this number has.
+    fn set(&mut self, from: &Self);
+
+    /// |x|.
+    #[must_use]
+    fn abs(self) -> Self;
+    /// √x.
+    #[must_use]
+    fn sqrt(self) -> Self;
+    /// eˣ.
+    #[must_use]
+    fn exp(self) -> Self;
+    /// eˣ − 1, without cancellation at small x.
+    #[must_use]
+    fn exp_m1(self) -> Self;
+    /// ln x.
+    #[must_use]
+    fn ln(self) -> Self;
+    /// ln(1 + x), without cancellation at small x.
+    #[must_use]
+    fn ln_1p(self) -> Self;
+    /// (sin x, cos x), evaluated together.
+    fn sin_cos(self) -> (Self, Self);
+
+    /// Neither NaN nor infinite.
+    fn is_finite(&self) -> bool;
+
+    /// The value as an exact rational, `None` for NaN and infinities: how errors are measured.
+    fn to_rational(&self) -> Option<Rational>;
+
+    /// log₂|x| in binary64, −∞ for 0: survives magnitudes far outside binary64's range.
+    fn log2_abs(&self) -> f64;
+}

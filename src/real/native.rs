@@ -1,0 +1,201 @@
+//! Native formats: one blanket implementation over [`num_traits::Float`].
+
+use super::{Format, Real};
+use num_traits::{Float as NumFloat, FloatConst, FromPrimitive};
+use rug::float::Round;
+use rug::ops::AssignRound;
+use rug::{Float, Rational};
+use std::cmp::Ordering;
+use std::fmt::{self, Debug, Display};
+use std::marker::PhantomData;
+use std::ops::{Add, AddAssign, Div, DivAssign, Mul, MulAssign, Sub, SubAssign};
+
+/// What a type must offer to be a scalar at once: `f32`, `f64`, `half::f16`, `half::bf16` and any
+/// other float of at most 53 significant bits whose values are values of binary64.
+pub trait NativeFloat:
+    NumFloat
+    + FloatConst
+    + FromPrimitive
+    + Debug
+    + Display
+    + Send
+    + Sync
+    + 'static
+    + for<'a> Add<&'a Self, Output = Self>
+    + for<'a> AddAssign<&'a Self>
+    + for<'a> Sub<&'a Self, Output = Self>
+    + for<'a> SubAssign<&'a Self>
+    + for<'a> Mul<&'a Self, Output = Self>
+    + for<'a> MulAssign<&'a Self>
+    + for<'a> Div<&'a Self, Output = Self>
+    + for<'a> DivAssign<&'a Self>
+{
+}
+
+impl<T> NativeFloat for T where
+    T: NumFloat
+        + FloatConst
+        + FromPrimitive
+        + Debug
+        + Display
+        + Send
+        + Sync
+        + 'static
+        + for<'a> Add<&'a T, Output = T>
+        + for<'a> AddAssign<&'a T>
+        + for<'a> Sub<&'a T, Output = T>
+        + for<'a> SubAssign<&'a T>
+        + for<'a> Mul<&'a T, Output = T>
+        + for<'a> MulAssign<&'a T>
+        + for<'a> Div<&'a T, Output = T>
+        + for<'a> DivAssign<&'a T>
+{
+}
+
+/// The format of a native type `T`; a value of no size.
+pub struct Native<T>(PhantomData<fn() -> T>);
+
+impl<T> Native<T> {
+    /// The format.
+    #[must_use]
+    pub const fn new() -> Self {
+        Native(PhantomData)
+    }
+}
+
+impl<T> Default for Native<T> {
+    fn default() -> Self {
+        Self::new()
+    }
+}
+
+impl<T> Clone for Native<T> {
+    fn clone(&self) -> Self {
+        *self
+    }
+}
+
+impl<T> Copy for Native<T> {}
+
+impl<T> PartialEq for Native<T> {
+    fn eq(&self, _: &Self) -> bool {
+        true
+    }
+}
+
+impl<T> Debug for Native<T> {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        Display::fmt(self, f)
+    }
+}
+
+impl<T> Display for Native<T> {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let path = std::any::type_name::<T>();
+        f.write_str(path.rsplit("::").next().unwrap_or(path))
+    }
+}
+
+impl<T: NativeFloat> Format for Native<T> {
+    type Real = T;
+
+    #[inline]
+    fn bits(self) -> u32 {
+        // ε = 2^(1 − bits), an exact power of two.
+        let (mantissa, exponent, _) = T::epsilon().integer_decode();
+        let log2_epsilon = i32::from(exponent) + mantissa.trailing_zeros().cast_signed();
+        (1 - log2_epsilon).unsigned_abs()
+    }
+
+    #[inline]
+    fn int(self, n: i64) -> T {
+        if n.unsigned_abs() <= 1 << self.bits() {
+            T::from_i64(n).unwrap_or_else(T::nan)
+        } else {
+            self.ratio(&Rational::from(n))
+        }
+    }
+
+    fn ratio(self, q: &Rational) -> T {
+        // Truncate with one guard bit and append a sticky bit: the one rounding to nearest that
+        // follows, into T's range with its subnormals, then knows on which side of a tie q lies.
+        let mut truncated = Float::new(self.bits() + 1);
+        let exact = truncated.assign_round(q, Round::Zero) == Ordering::Equal;
+        let mut wide = Float::with_val(self.bits() + 2, &truncated);
+        if !exact && *q > 0 {
+            wide.next_up();
+        } else if !exact {
+            wide.next_down();
+        }
+        T::from_f64(wide.to_f64()).unwrap_or_else(T::nan)
+    }
+
+    #[inline]
+    fn fraction(self, numerator: u64, denominator: u64) -> T {
+        let exact = 1 << self.bits();
+        if numerator <= exact && denominator <= exact {
+            // Both are exact in T, and division rounds once.
+            match (T::from_u64(numerator), T::from_u64(denominator)) {
+                (Some(a), Some(b)) => a / b,
+                _ => T::nan(),
+            }
+        } else {
+            self.ratio(&Rational::from((numerator, denominator)))
+        }
+    }
+
+    fn pi(self) -> T {
+        T::PI()
+    }
+}
+
+impl<T: NativeFloat> Real for T {
+    type Format = Native<T>;
+
+    #[inline]
+    fn format(&self) -> Native<T> {
+        Native::new()
+    }
+    #[inline]
+    fn set(&mut self, from: &Self) {
+        *self = *from;
+    }
+    #[inline]
+    fn abs(self) -> T {
+        NumFloat::abs(self)
+    }
+    #[inline]
+    fn sqrt(self) -> T {
+        NumFloat::sqrt(self)
+    }
+    #[inline]
+    fn exp(self) -> T {
+        NumFloat::exp(self)
+    }
+    #[inline]
+    fn exp_m1(self) -> T {
+        NumFloat::exp_m1(self)
+    }
+    #[inline]
+    fn ln(self) -> T {
+        NumFloat::ln(self)
+    }
+    #[inline]
+    fn ln_1p(self) -> T {
+        NumFloat::ln_1p(self)
+    }
+    #[inline]
+    fn sin_cos(self) -> (T, T) {
+        NumFloat::sin_cos(self)
+    }
+    #[inline]
+    fn is_finite(&self) -> bool {
+        NumFloat::is_finite(*self)
+    }
+    fn to_rational(&self) -> Option<Rational> {
+        Rational::from_f64(self.to_f64()?)
+    }
+    fn log2_abs(&self) -> f64 {
+        self.to_f64().map_or(f64::NAN, |x| x.abs().log2())
+    }
+}
