@@ -4,3 +4,4 @@ pub mod convergence;
 pub mod method;
 pub mod quadrature;
 pub mod real;
+pub mod study;

@@ -118,10 +118,14 @@ pub enum FitError {
 ///    pᵢ agree with the last one within 0.02; if none, within 0.05; if none, within 0.1. At 0.1, orders
 ///    that drift one way by more than 0.05 in total are bias on the way to another order, and no window.
 /// 3. Least squares of log|e| on log d in the window gives p̂, and the half-width is
-///    max(95 % t-interval, max|pᵢ − p̂|, |p̂ − p_last| + 2|p_last − p_prev|)
-///    + (Σ floor/|e| over the last two levels) / ln r, with r their step ratio; plus the rounding of
-///    the logarithms themselves.
+///    max(95 % t-interval, max|pᵢ − p̂|, |p̂ − p_last| + 2Δ / min(r − 1, 1))
+///    + (Σ floor/|e| over the last two levels) / ln r, plus the rounding of the logarithms themselves.
+///    r is the last step ratio, and Δ the drift max(|p_last − p_prev|, |p_prev − p_before| / r): a relative
+///    bias of order d shrinks by r from pair to pair, and roundoff may hide the last difference.
 /// 4. The verdict follows the table at [`Verdict`].
+///
+/// The interval contained the true order of synthetic errors c·dᵖ(1 + a·d + b·d²) plus roundoff in more than
+/// 99 % of the fits (`fit/coverage.rs` measures it: 99.2 % in binary32, 99.7 % in binary64).
 ///
 /// It does not promise that a plateau is the last one: an order shows as far as the ladder reaches.
 ///
@@ -318,7 +322,7 @@ fn regress(
     let inside = &points[window.first..=window.last];
     let weighted: Vec<(f64, f64, f64)> = inside.iter().map(|p| (p.0, p.1, 1.0)).collect();
     let line = least_squares(&weighted)?;
-    let [.., previous, last] = *orders else {
+    let [.., before, previous, last] = *orders else {
         return None;
     };
     let quantile = StudentsT::new(0.0, 1.0, (inside.len() - 2) as f64)
@@ -328,9 +332,14 @@ fn regress(
         .iter()
         .map(|p| (p - line.slope).abs())
         .fold(0.0, f64::max);
-    let trend = (line.slope - last).abs() + 2.0 * (last - previous).abs();
-
     let ratio = samples[window.last - 1].step / samples[window.last].step;
+    // A bias of relative size d drifts r times slower from pair to pair, and has drift/(r − 1) to go.
+    // Roundoff may hide the last drift, not so easily the last two.
+    let drift = (last - previous)
+        .abs()
+        .max((previous - before).abs() / ratio);
+    let trend = (line.slope - last).abs() + 2.0 * drift / (ratio - 1.0).min(1.0);
+
     let floor_share = [window.last - 1, window.last]
         .into_iter()
         .map(|i| (log2_abs(&floors[i]) - points[i].1).exp2())
@@ -382,3 +391,8 @@ fn finest_run(points: &[(f64, f64)]) -> &[(f64, f64)] {
     let gap = points.iter().rposition(|p| !p.1.is_finite());
     &points[gap.map_or(0, |g| g + 1)..]
 }
+
+#[cfg(test)]
+mod coverage;
+#[cfg(test)]
+mod tests;

@@ -35,6 +35,8 @@ mod fit;
 mod ladder;
 mod line;
 mod note;
+#[cfg(test)]
+mod random;
 mod replicas;
 mod richardson;
 mod sample;

@@ -76,7 +76,7 @@ mod tests {
 
     #[test]
     fn logarithms_survive_outside_binary64() {
-        let tiny = Float::with_val(64, 1) >> 10_000;
+        let tiny: Float = Float::with_val(64, 1) >> 10_000_u32;
         assert_eq!(log2_abs(&-tiny), -10_000.0);
         assert_eq!(log2_abs(&Float::new(53)), f64::NEG_INFINITY);
     }

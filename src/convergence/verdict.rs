@@ -243,3 +243,6 @@ pub(super) fn remark_missing_floor(verdict: Verdict, floor_known: bool, notes: &
         notes.push(Note::FloorUnknown);
     }
 }
+
+#[cfg(test)]
+mod tests;

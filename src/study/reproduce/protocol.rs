@@ -1,0 +1,30 @@
+//! The paper's protocol: what a study without windows or floors reports.
+
+use crate::convergence::Sample;
+use crate::real::{MpfrReal, Real};
+
+/// The levels n of the paper's protocol.
+pub(super) const LADDER: [u64; 8] = [8, 16, 32, 64, 128, 256, 512, 1024];
+
+/// The slope of least squares of log|error| on log d over all levels, roundoff and all; `None` where an
+/// error is zero or not finite.
+pub(super) fn order(samples: &[Sample]) -> Option<f64> {
+    let points = samples
+        .iter()
+        .map(|sample| {
+            let error = MpfrReal::from(sample.error.clone()).log2_abs();
+            Some((sample.step.log2(), error)).filter(|_| error.is_finite())
+        })
+        .collect::<Option<Vec<_>>>()?;
+    slope(&points)
+}
+
+/// The slope of the least-squares line through (x, y).
+pub(super) fn slope(points: &[(f64, f64)]) -> Option<f64> {
+    let count = points.len() as f64;
+    let mean_x = points.iter().map(|p| p.0).sum::<f64>() / count;
+    let mean_y = points.iter().map(|p| p.1).sum::<f64>() / count;
+    let xx: f64 = points.iter().map(|p| (p.0 - mean_x).powi(2)).sum();
+    let xy: f64 = points.iter().map(|p| (p.0 - mean_x) * (p.1 - mean_y)).sum();
+    Some(xy / xx).filter(|slope| slope.is_finite())
+}

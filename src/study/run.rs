@@ -1,0 +1,177 @@
+//! Radiances of many methods over a ladder, and their errors.
+
+use super::Level;
+use crate::case::{Case, Nodes, Shared};
+use crate::convergence::Sample;
+use crate::method::{Integration, Method, MethodError};
+use crate::real::{Format, Mpfr, Real};
+use rayon::prelude::*;
+use rug::{Float, Rational};
+
+/// Hears of work done, from any thread.
+pub trait Progress: Sync {
+    /// `units` more are done; a unit is about one evaluation of the medium in MPFR.
+    fn advance(&self, units: u64);
+}
+
+/// Hears nothing.
+pub struct Silent;
+
+impl Progress for Silent {
+    fn advance(&self, _: u64) {}
+}
+
+/// Bits beyond a format's own with which exact radiances and errors are held.
+const GUARD_BITS: u32 = 64;
+
+/// The radiances of some methods on the levels of a ladder, in one format.
+#[derive(Clone, Debug)]
+pub struct Run {
+    /// Significant bits of the format.
+    pub bits: u32,
+    /// The levels.
+    pub ladder: Vec<u64>,
+    /// Exact values of the radiances computed, by method and level; NaN where not finite.
+    pub radiances: Vec<Vec<Float>>,
+    /// How often the medium was evaluated.
+    pub evaluations: u64,
+}
+
+impl Run {
+    /// Runs all methods on all levels; every node is evaluated once.
+    ///
+    /// # Errors
+    /// [`MethodError`] where a level does not suit a method, or the case lacks what it needs.
+    pub fn new<C: Case, F: Format>(
+        case: &C,
+        format: F,
+        methods: &[Method],
+        ladder: &[u64],
+        progress: &dyn Progress,
+    ) -> Result<Run, MethodError> {
+        let nodes = Shared::new(case, format);
+        // Finest levels first: the largest piece of work is not left for last.
+        let mut levels: Vec<Vec<Float>> = ladder
+            .par_iter()
+            .rev()
+            .with_max_len(1)
+            .map(|&n| at_level(&nodes, n, methods, progress))
+            .collect::<Result<_, _>>()?;
+        levels.reverse();
+        let radiances = (0..methods.len())
+            .map(|m| levels.iter().map(|level| level[m].clone()).collect())
+            .collect();
+        Ok(Run {
+            bits: format.bits(),
+            ladder: ladder.to_vec(),
+            radiances,
+            evaluations: nodes.evaluations(),
+        })
+    }
+}
+
+fn at_level<N: Nodes>(
+    nodes: &N,
+    n: u64,
+    methods: &[Method],
+    progress: &dyn Progress,
+) -> Result<Vec<Float>, MethodError> {
+    let mut level = Level::new(nodes, n);
+    methods
+        .iter()
+        .map(|method| {
+            let radiance = exact(&level.radiance(method)?);
+            progress.advance(n * units_a_segment(method));
+            Ok(radiance)
+        })
+        .collect()
+}
+
+/// Evaluations a segment, roughly.
+pub(super) fn units_a_segment(method: &Method) -> u64 {
+    match method {
+        Method::Preintegrated(p) => match p.color.integration {
+            Integration::SubIntervals { count, .. } => u64::from(count),
+            Integration::Closed => 1,
+        },
+        Method::Nested(_) => 1,
+    }
+}
+
+/// The very value of a number, NaN where it is not finite.
+pub(super) fn exact<R: Real>(x: &R) -> Float {
+    let bits = x.format().bits();
+    match x.to_rational() {
+        Some(value) => Float::with_val(bits, value),
+        None => Float::with_val(bits, rug::float::Special::Nan),
+    }
+}
+
+/// The exact radiance of a case, to 64 bits more than `bits`.
+pub(super) fn exact_radiance<C: Case>(case: &C, bits: u32) -> Float {
+    let format = Mpfr {
+        bits: bits.max(f64::MANTISSA_DIGITS) + GUARD_BITS,
+    };
+    case.radiance(&format.ratio(&case.length())).into()
+}
+
+/// Errors of one method, with the floor at every level: the most that its radiances differ from
+/// `oracle`'s, the same method at more bits, and never less than u·|I|.
+///
+/// For an MPFR run without an oracle the floor is the a-priori bound 16·n·u·|I|: each of n terms and
+/// factors is rounded a few times, with relative error u each.
+pub fn samples<C: Case>(case: &C, run: &Run, method: usize, oracle: Option<&Run>) -> Vec<Sample> {
+    let radiance = exact_radiance(case, run.bits);
+    let length = case.length();
+    let unit = Float::with_val(64, radiance.abs_ref()) >> run.bits;
+    let Some(radiances) = run.radiances.get(method) else {
+        return Vec::new();
+    };
+    run.ladder
+        .iter()
+        .zip(radiances)
+        .map(|(&n, value)| {
+            let error = Float::with_val(radiance.prec(), value - &radiance);
+            let rounding = match oracle.and_then(|o| o.radiance_at(method, n)) {
+                Some(oracle) => Float::with_val(64, value - oracle).abs(),
+                None => Float::with_val(64, &unit * 16_u32) * n,
+            };
+            let floor = if rounding > unit {
+                rounding
+            } else {
+                unit.clone()
+            };
+            Sample {
+                n: Some(n),
+                step: Rational::from(&length / n).to_f64(),
+                error,
+                floor,
+            }
+        })
+        .collect()
+}
+
+impl Run {
+    /// The same run, at some of its levels only; levels it was not run at are left out.
+    #[must_use]
+    pub fn at_levels(&self, ladder: &[u64]) -> Run {
+        let kept: Vec<usize> = (0..self.ladder.len())
+            .filter(|&level| ladder.contains(&self.ladder[level]))
+            .collect();
+        Run {
+            bits: self.bits,
+            ladder: kept.iter().map(|&level| self.ladder[level]).collect(),
+            radiances: self
+                .radiances
+                .iter()
+                .map(|levels| kept.iter().map(|&level| levels[level].clone()).collect())
+                .collect(),
+            evaluations: self.evaluations,
+        }
+    }
+
+    fn radiance_at(&self, method: usize, n: u64) -> Option<&Float> {
+        let level = self.ladder.iter().position(|&other| other == n)?;
+        self.radiances.get(method)?.get(level)
+    }
+}
