@@ -1,7 +1,52 @@
-//! x
+//! Verification of approximations of the volume rendering integral
+//!
+//! I = ∫₀ᴰ C(s(λ)) τ(s(λ)) exp(−∫₀^λ τ(s(u)) du) dλ.
+//!
+//! A [`case`] gives the field s, the transfer functions C and τ and the exact radiance; a [`method`]
+//! approximates the integral from [`quadrature`] rules on n segments, in any [`real`] format;
+//! [`convergence`] fits the order of accuracy to its errors on a ladder of n, with an interval and a
+//! verdict; a [`study`] does so for many, and [`report`] shows what came out. A module uses only those
+//! named before it.
+//!
+//! ```
+//! use volver::case::SineSquared;
+//! use volver::convergence::{Verdict, fit};
+//! use volver::method::{Exponential, Expected, Inner, Method, Nested, Outer, Scope, expected};
+//! use volver::quadrature::Rule;
+//! use volver::real::Mpfr;
+//! use volver::study::{Run, Silent, samples};
+//!
+//! // Simpson's rule for the optical depth under the trapezoid rule for the radiance.
+//! let method = Method::Nested(Nested {
+//!     inner: Inner::PerSegment(Rule::Simpson),
+//!     outer: Outer(Rule::Trapezoid),
+//!     exponential: Exponential::Exact,
+//!     scope: Scope::Whole,
+//! });
+//! let ladder = [8, 16, 32, 64, 128, 256];
+//! let run = Run::new(&SineSquared, Mpfr { bits: 200 }, &[method], &ladder, &Silent)?;
+//!
+//! let theory = expected(&method, &SineSquared);
+//! assert_eq!(theory, Expected::Order(2.0));
+//! let fit = fit(&samples(&SineSquared, &run, 0, None), Some(theory))?;
+//! assert_eq!(fit.verdict, Verdict::Confirmed);
+//! # Ok::<(), Box<dyn std::error::Error>>(())
+//! ```
+// A test may stop at what a library must not; its numbers are often exact.
+#![cfg_attr(
+    test,
+    allow(
+        clippy::unwrap_used,
+        clippy::expect_used,
+        clippy::panic,
+        clippy::float_cmp
+    )
+)]
+
 pub mod case;
 pub mod convergence;
 pub mod method;
 pub mod quadrature;
 pub mod real;
+pub mod report;
 pub mod study;

@@ -5,6 +5,8 @@ mod nodes;
 mod reciprocal;
 mod sine_squared;
 mod structure;
+#[cfg(test)]
+mod tests;
 
 pub use homogeneous_slab::HomogeneousSlab;
 pub use nodes::{Column, Fresh, Nodes, Shared};

@@ -1,15 +1,22 @@
 //! The order of a deterministic method from its signed errors.
 
+mod input;
+mod levels;
+mod regression;
+
+pub use input::FitError;
+pub(super) use input::check_steps;
+
 use super::Note;
-use super::line::least_squares;
-use super::sample::{Sample, log2_abs, serialize_float};
-use super::verdict::{Estimate, Evidence, Trend, Verdict, judge, remark_missing_floor};
+use super::sample::{Sample, serialize_float};
+use super::verdict::{Evidence, Trend, Verdict, judge, remark_missing_floor};
 use super::window::{self, Window};
 use crate::method::Expected;
+use input::check;
+use levels::Levels;
+use regression::regress;
 use rug::Float;
 use serde::Serialize;
-use statrs::distribution::{ContinuousCDF, StudentsT};
-use std::cmp::Ordering;
 
 /// An error of at most this many floors is taken for roundoff.
 pub const FLOOR_MARGIN: u32 = 30;
@@ -68,45 +75,6 @@ pub struct Fit {
     pub notes: Vec<Note>,
 }
 
-/// Samples or an expectation that no fit can take.
-#[derive(Clone, Debug, PartialEq, thiserror::Error)]
-pub enum FitError {
-    /// A step is not a positive number.
-    #[error("step {step} of level {level} is not allowed (allowed: finite, above 0)")]
-    Step {
-        /// Index of the level.
-        level: usize,
-        /// The step.
-        step: f64,
-    },
-    /// A step does not lie below the one before it.
-    #[error(
-        "step {step} of level {level} does not lie below the step {previous} before it (allowed: strictly decreasing steps)"
-    )]
-    NotDecreasing {
-        /// Index of the level.
-        level: usize,
-        /// The step.
-        step: f64,
-        /// The step of the level before.
-        previous: f64,
-    },
-    /// A floor is negative.
-    #[error("floor {floor} of level {level} is negative (allowed: 0 where unknown, or above)")]
-    NegativeFloor {
-        /// Index of the level.
-        level: usize,
-        /// The floor, rounded to binary64.
-        floor: f64,
-    },
-    /// The expected order is no number.
-    #[error("expected order {order} is not allowed (allowed: finite numbers)")]
-    Expectation {
-        /// The order.
-        order: f64,
-    },
-}
-
 /// Fits |e| = c·dᵖ in the asymptotic window of a ladder, and judges it.
 ///
 /// `samples` are ordered from coarse to fine; steps are in the units of the ray, errors and floors
@@ -117,11 +85,15 @@ pub enum FitError {
 /// 2. The window is the longest fine-side run of at least 4 usable levels whose pairwise orders
 ///    pᵢ agree with the last one within 0.02; if none, within 0.05; if none, within 0.1. At 0.1, orders
 ///    that drift one way by more than 0.05 in total are bias on the way to another order, and no window.
-/// 3. Least squares of log|e| on log d in the window gives p̂, and the half-width is
-///    max(95 % t-interval, max|pᵢ − p̂|, |p̂ − p_last| + 2Δ / min(r − 1, 1))
-///    + (Σ floor/|e| over the last two levels) / ln r, plus the rounding of the logarithms themselves.
-///    r is the last step ratio, and Δ the drift max(|p_last − p_prev|, |p_prev − p_before| / r): a relative
-///    bias of order d shrinks by r from pair to pair, and roundoff may hide the last difference.
+/// 3. Least squares of log|e| on log d in the window gives the order p̂. Its half-width is
+///
+///    ```text
+///    max(95 % t-interval, max|pᵢ − p̂|, |p̂ − pₘ| + 2Δ/min(r − 1, 1)) + (Σ floor/|e|)/ln r
+///    ```
+///
+///    with pₘ the last pairwise order, r the last step ratio, the sum over the last two levels, and the drift
+///    Δ = max(|pₘ − pₘ₋₁|, |pₘ₋₁ − pₘ₋₂|/r): a relative bias of order d shrinks by r from pair to
+///    pair, and roundoff may hide the last difference. The rounding of the logarithms is added.
 /// 4. The verdict follows the table at [`Verdict`].
 ///
 /// The interval contained the true order of synthetic errors c·dᵖ(1 + a·d + b·d²) plus roundoff in more than
@@ -135,93 +107,44 @@ pub enum FitError {
 /// expected order is not finite. NaN and infinite errors are no input errors but a verdict.
 pub fn fit(samples: &[Sample], expected: Option<Expected>) -> Result<Fit, FitError> {
     check(samples, expected)?;
-    let floors = running_floors(samples);
-    let finite = samples
-        .iter()
-        .all(|s| s.error.is_finite() && s.floor.is_finite());
-    let at_floor: Vec<bool> = samples
-        .iter()
-        .zip(&floors)
-        .map(|(s, floor)| is_at_floor(&s.error, floor))
-        .collect();
-    let usable = samples
-        .iter()
-        .zip(&at_floor)
-        .take_while(|(s, at_floor)| s.error.is_finite() && !**at_floor)
-        .count();
-    let points: Vec<(f64, f64)> = samples
-        .iter()
-        .map(|s| (s.step.log2(), log2_abs(&s.error)))
-        .collect();
-    let mut pairs = pairwise(samples, &points, usable);
-    let orders: Vec<f64> = pairs
-        .iter()
-        .filter(|p| p.above_floor)
-        .map(|p| p.order)
-        .collect();
-
-    let found = window::find(&orders).map(|(count, tolerance)| Window {
-        first: usable - 1 - count,
-        last: usable - 1,
-        coarsest_step: samples[usable - 1 - count].step,
-        finest_step: samples[usable - 1].step,
-        coarsest_n: samples[usable - 1 - count].n,
-        finest_n: samples[usable - 1].n,
-        tolerance,
-    });
-    let fitted = found.and_then(|w| regress(w, samples, &floors, &points, &orders));
-    let window = found.filter(|_| fitted.is_some());
+    let levels = Levels::new(samples);
+    let mut pairs = levels.pairs();
+    let usable: Vec<Pair> = pairs.iter().filter(|p| p.above_floor).copied().collect();
+    let orders: Vec<f64> = usable.iter().map(|p| p.order).collect();
+    let fitted = window::find(&orders)
+        .map(|(count, tolerance)| levels.window(count, tolerance))
+        .and_then(|window| Some((window, regress(window, &levels, &usable)?)));
+    let window = fitted.map(|(window, _)| window);
     for pair in &mut pairs {
-        pair.in_window = window.is_some_and(|w| pair.coarse >= w.first && pair.coarse < w.last);
+        pair.in_window = window.is_some_and(|w| (w.first..w.last).contains(&pair.coarse));
     }
-
-    let cut = at_floor.iter().position(|at| *at).filter(|c| *c == usable);
-    let risen = cut.and_then(|c| (c..samples.len()).find(|i| !at_floor[*i]));
-    let ends_above = at_floor.last() == Some(&false);
     let evidence = Evidence {
         levels: samples.len(),
-        finite,
-        all_at_floor: at_floor.iter().all(|at| *at),
-        cut: cut.is_some(),
-        rises: risen.is_some(),
-        rises_to_the_end: risen.is_some()
-            && ends_above
-            && Trend::of(finest_run(&points)) == Trend::Growing,
-        trend: Trend::of(&points[..usable]),
-        late_sign_changes: pairs
+        finite: samples
             .iter()
-            .filter(|p| p.above_floor && p.sign_change && p.coarse + 4 >= usable)
+            .all(|s| s.error.is_finite() && s.floor.is_finite()),
+        all_at_floor: levels.at_floor.iter().all(|at| *at),
+        beyond: levels.beyond(),
+        trend: Trend::of(&levels.points[..levels.usable]),
+        late_sign_changes: usable
+            .iter()
+            .filter(|p| p.sign_change && p.coarse + 4 >= levels.usable)
             .count(),
-        estimate: fitted.map(|f| Estimate {
-            sign_change: pairs.iter().any(|p| p.in_window && p.sign_change),
-            ..f.estimate
-        }),
+        estimate: fitted.map(|(_, f)| f.estimate),
     };
     let verdict = judge(&evidence, expected);
 
     let (order, half_width, log2_constant) = match fitted {
-        Some(f) => (
+        Some((_, f)) => (
             Some(f.estimate.order),
             Some(f.estimate.half_width),
             Some(f.log2_constant),
         ),
-        None => last_order(&orders, points[..usable].last()),
+        None => last_order(&orders, levels.points[..levels.usable].last()),
     };
-    let mut notes = Vec::new();
-    if let Some(pair) = window.and_then(|w| {
-        let mut before = pairs.iter().rev().filter(|p| p.coarse < w.first);
-        before.find(|p| p.sign_change)
-    }) {
-        notes.push(Note::SignChange {
-            level: pair.coarse,
-            step: samples[pair.coarse].step,
-        });
-    }
-    if let Some(level) = risen {
-        let step = samples[level].step;
-        notes.push(Note::RisesBeyondCut { level, step });
-    }
-    let floor = floors.last().cloned().unwrap_or_else(|| Float::new(53));
+    let floor = levels.floors.last().cloned();
+    let floor = floor.unwrap_or_else(|| Float::new(53));
+    let mut notes = levels.notes(window, &pairs);
     remark_missing_floor(verdict, !floor.is_zero(), &mut notes);
     Ok(Fit {
         verdict,
@@ -229,138 +152,14 @@ pub fn fit(samples: &[Sample], expected: Option<Expected>) -> Result<Fit, FitErr
         half_width,
         log2_constant,
         window,
-        cut: cut.map(|level| FloorCut {
+        cut: levels.cut().map(|level| FloorCut {
             level,
             step: samples[level].step,
-            floor: floors[level].clone(),
+            floor: levels.floors[level].clone(),
         }),
         floor,
         pairs,
         notes,
-    })
-}
-
-/// Refuses what no verdict covers.
-fn check(samples: &[Sample], expected: Option<Expected>) -> Result<(), FitError> {
-    for (level, sample) in samples.iter().enumerate() {
-        let step = sample.step;
-        if !step.is_finite() || step <= 0.0 {
-            return Err(FitError::Step { level, step });
-        }
-        if sample.floor < 0 {
-            let floor = sample.floor.to_f64();
-            return Err(FitError::NegativeFloor { level, floor });
-        }
-    }
-    for (level, pair) in samples.windows(2).enumerate() {
-        if pair[1].step >= pair[0].step {
-            return Err(FitError::NotDecreasing {
-                level: level + 1,
-                step: pair[1].step,
-                previous: pair[0].step,
-            });
-        }
-    }
-    match expected {
-        Some(Expected::Order(order)) if !order.is_finite() => Err(FitError::Expectation { order }),
-        _ => Ok(()),
-    }
-}
-
-/// The largest floor up to each level. A NaN stays NaN: it is a verdict of its own.
-fn running_floors(samples: &[Sample]) -> Vec<Float> {
-    let mut floors: Vec<Float> = Vec::with_capacity(samples.len());
-    for sample in samples {
-        let floor = match floors.last() {
-            Some(before) if *before > sample.floor => before.clone(),
-            _ => sample.floor.clone(),
-        };
-        floors.push(floor);
-    }
-    floors
-}
-
-/// |e| ≤ 30·floor, compared exactly.
-fn is_at_floor(error: &Float, floor: &Float) -> bool {
-    let margin = Float::with_val(floor.prec() + 8, floor * FLOOR_MARGIN);
-    matches!(
-        error.cmp_abs(&margin),
-        Some(Ordering::Less | Ordering::Equal)
-    )
-}
-
-/// Pairwise orders of all neighbours with finite, nonzero errors.
-fn pairwise(samples: &[Sample], points: &[(f64, f64)], usable: usize) -> Vec<Pair> {
-    (1..samples.len())
-        .filter(|i| points[i - 1].1.is_finite() && points[*i].1.is_finite())
-        .map(|i| Pair {
-            coarse: i - 1,
-            order: (points[i - 1].1 - points[i].1) / (points[i - 1].0 - points[i].0),
-            above_floor: i < usable,
-            in_window: false,
-            sign_change: samples[i - 1].error.is_sign_negative()
-                != samples[i].error.is_sign_negative(),
-        })
-        .collect()
-}
-
-/// A regression in a window.
-#[derive(Clone, Copy)]
-struct Regression {
-    estimate: Estimate,
-    log2_constant: f64,
-}
-
-/// Order and half-width in a window that ends at the last usable level.
-fn regress(
-    window: Window,
-    samples: &[Sample],
-    floors: &[Float],
-    points: &[(f64, f64)],
-    orders: &[f64],
-) -> Option<Regression> {
-    let inside = &points[window.first..=window.last];
-    let weighted: Vec<(f64, f64, f64)> = inside.iter().map(|p| (p.0, p.1, 1.0)).collect();
-    let line = least_squares(&weighted)?;
-    let [.., before, previous, last] = *orders else {
-        return None;
-    };
-    let quantile = StudentsT::new(0.0, 1.0, (inside.len() - 2) as f64)
-        .ok()?
-        .inverse_cdf(0.975);
-    let scatter = orders[orders.len() - (inside.len() - 1)..]
-        .iter()
-        .map(|p| (p - line.slope).abs())
-        .fold(0.0, f64::max);
-    let ratio = samples[window.last - 1].step / samples[window.last].step;
-    // A bias of relative size d drifts r times slower from pair to pair, and has drift/(r − 1) to go.
-    // Roundoff may hide the last drift, not so easily the last two.
-    let drift = (last - previous)
-        .abs()
-        .max((previous - before).abs() / ratio);
-    let trend = (line.slope - last).abs() + 2.0 * drift / (ratio - 1.0).min(1.0);
-
-    let floor_share = [window.last - 1, window.last]
-        .into_iter()
-        .map(|i| (log2_abs(&floors[i]) - points[i].1).exp2())
-        .sum::<f64>()
-        / ratio.ln();
-    // The logarithms are rounded to binary64, which shows where errors follow a power exactly.
-    let magnitude = inside
-        .iter()
-        .map(|p| p.1.abs() + line.slope.abs() * p.0.abs())
-        .fold(1.0, f64::max);
-    let rounding = 8.0 * f64::EPSILON * magnitude / ratio.log2();
-    Some(Regression {
-        estimate: Estimate {
-            order: line.slope,
-            half_width: (quantile * line.slope_error).max(scatter).max(trend)
-                + floor_share
-                + rounding,
-            floor_share,
-            sign_change: false,
-        },
-        log2_constant: line.intercept,
     })
 }
 
@@ -384,12 +183,6 @@ fn last_order(
         _ => last.abs(),
     };
     (Some(*last), Some(width), Some(finest.1 - last * finest.0))
-}
-
-/// The finest levels without a gap: all errors finite and nonzero.
-fn finest_run(points: &[(f64, f64)]) -> &[(f64, f64)] {
-    let gap = points.iter().rposition(|p| !p.1.is_finite());
-    &points[gap.map_or(0, |g| g + 1)..]
 }
 
 #[cfg(test)]

@@ -52,7 +52,7 @@ pub use note::Note;
 pub use replicas::{
     LevelMoments, MIN_REPLICAS, OrderInterval, Replicas, ReplicasError, StochasticFit, fit_replicas,
 };
-pub use richardson::{RichardsonError, ValueSample, fit_differences};
+pub use richardson::{DifferenceFit, RichardsonError, ValueSample, fit_differences};
 pub use sample::{JSON_NUMBER_MIN, Sample, serialize_float};
 pub use transition::{Transition, TransitionError, transition};
 pub use verdict::{MAX_HALF_WIDTH, Verdict};

@@ -39,9 +39,9 @@ impl fmt::Display for Note {
                     "the error changes sign after level {level} (step {step:.4e})"
                 )
             }
-            Note::RisesBeyondCut { level, step } => write!(
+            Note::RisesBeyondCut { level, .. } => write!(
                 f,
-                "above 30 floors again at level {level} (step {step:.4e}): floor too small, or a sign change"
+                "level {level} exceeds 30 floors again: floor too small, or a sign change"
             ),
             Note::FloorUnknown => {
                 f.write_str("no roundoff floor given: roundoff cannot be told from discretization")

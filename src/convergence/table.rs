@@ -5,16 +5,17 @@
 //! `n` (then h = 1/n); `error`, `err`, `e` or `value`, `v`, `q`, `result`; `floor`.
 //! Without a header the columns are step and error, or step and value where [`Reading`] asks for values.
 
+mod columns;
+mod error;
+
+pub use error::TableError;
+
 use super::decimal::Decimal;
 use super::{Sample, ValueSample};
+use columns::{Columns, header, without_header};
 use rug::Float;
 use rug::ops::Pow;
 use serde::Serialize;
-
-const X_NAMES: [&str; 4] = ["h", "d", "dx", "step"];
-const ERROR_NAMES: [&str; 3] = ["error", "err", "e"];
-const VALUE_NAMES: [&str; 4] = ["value", "v", "q", "result"];
-const ALLOWED_NAMES: &str = "h, d, dx, step or n; error, err, e, value, v, q or result; floor";
 
 /// What to make of a table beyond what its header says.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -23,7 +24,7 @@ pub struct Reading {
     pub exact: Option<Float>,
     /// The second column holds values, and no exact result is known.
     pub differences: bool,
-    /// A floor for every level; it stands in for a floor column.
+    /// A floor for every level, where the table has no floor column.
     pub floor: Option<Float>,
 }
 
@@ -57,131 +58,6 @@ pub struct Table {
     pub levels: Levels,
     /// Where their floors come from.
     pub floor_source: FloorSource,
-}
-
-/// Text that is no table of measurements.
-#[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
-pub enum TableError {
-    /// No row of numbers.
-    #[error("no rows of numbers (allowed: two or more rows of step and error or value)")]
-    Empty,
-    /// One row alone.
-    #[error("line {line}: a single row has no order (allowed: two or more rows)")]
-    SingleRow {
-        /// Line of the row.
-        line: usize,
-    },
-    /// A row with another number of fields.
-    #[error("line {line}: {found} fields (allowed: {allowed})")]
-    Fields {
-        /// Line of the row.
-        line: usize,
-        /// Fields found.
-        found: usize,
-        /// Fields that the header or the first row has.
-        allowed: usize,
-    },
-    /// A field that is no finite decimal number.
-    #[error("line {line}, {column}: '{text}' is not allowed (allowed: finite decimal numbers)")]
-    NotANumber {
-        /// Line of the field.
-        line: usize,
-        /// Column of the field.
-        column: String,
-        /// The field.
-        text: String,
-    },
-    /// A step that is not positive, or outside binary64's normal range.
-    #[error(
-        "line {line}, {column}: step '{text}' is not allowed (allowed: above 0, within binary64's range)"
-    )]
-    Step {
-        /// Line of the field.
-        line: usize,
-        /// Column of the field.
-        column: String,
-        /// The field.
-        text: String,
-    },
-    /// A number of segments that is no positive whole number.
-    #[error(
-        "line {line}, {column}: '{text}' segments are not allowed (allowed: whole numbers, 1 to 2^53)"
-    )]
-    Segments {
-        /// Line of the field.
-        line: usize,
-        /// Column of the field.
-        column: String,
-        /// The field.
-        text: String,
-    },
-    /// A floor below 0.
-    #[error("line {line}, {column}: '{text}' is not allowed (allowed: 0 or above)")]
-    Floor {
-        /// Line of the field.
-        line: usize,
-        /// Column of the field.
-        column: String,
-        /// The field.
-        text: String,
-    },
-    /// Two rows with the same step.
-    #[error("line {line}: step '{text}' stands in line {first} already (allowed: each step once)")]
-    Duplicate {
-        /// Line of the second row.
-        line: usize,
-        /// Line of the first row.
-        first: usize,
-        /// The step in the second row.
-        text: String,
-    },
-    /// A header with an unknown name.
-    #[error("line {line}: unknown column '{name}' (allowed: {ALLOWED_NAMES})")]
-    UnknownColumn {
-        /// Line of the header.
-        line: usize,
-        /// The name.
-        name: String,
-    },
-    /// A header that says one thing twice, or errors and values at once.
-    #[error(
-        "line {line}: column '{name}' is one too many (allowed: one step or n, one error or value, one floor)"
-    )]
-    ExtraColumn {
-        /// Line of the header.
-        line: usize,
-        /// The name.
-        name: String,
-    },
-    /// A header without a column that has to be there.
-    #[error("line {line}: the header has no {missing} (allowed: {ALLOWED_NAMES})")]
-    MissingColumn {
-        /// Line of the header.
-        line: usize,
-        /// What is missing.
-        missing: &'static str,
-    },
-    /// The header says errors, the reading says values.
-    #[error(
-        "line {line}: column '{name}' holds errors (allowed with an exact value or differences: value, v, q, result)"
-    )]
-    ErrorsForValues {
-        /// Line of the header.
-        line: usize,
-        /// The name of the column.
-        name: String,
-    },
-}
-
-/// What the columns hold.
-struct Columns {
-    count: usize,
-    x: usize,
-    x_is_n: bool,
-    y: usize,
-    y_is_value: bool,
-    floor: Option<usize>,
-    names: Vec<String>,
 }
 
 /// One row of numbers.
@@ -259,74 +135,8 @@ fn fields(line: &str, separator: Option<char>) -> Vec<&str> {
 
 /// A number, or something that wants to be one and is refused as a number.
 fn is_number_like(field: &str) -> bool {
-    field.parse::<f64>().is_ok() || Decimal::parse(field).is_some()
-}
-
-/// Two columns: step, and what the reading says.
-fn without_header(line: usize, count: usize, reading: &Reading) -> Result<Columns, TableError> {
-    if count != 2 {
-        return Err(TableError::Fields {
-            line,
-            found: count,
-            allowed: 2,
-        });
-    }
-    let y_is_value = reading.exact.is_some() || reading.differences;
-    let y = if y_is_value { "value" } else { "error" };
-    Ok(Columns {
-        count,
-        x: 0,
-        x_is_n: false,
-        y: 1,
-        y_is_value,
-        floor: None,
-        names: vec!["h".into(), y.into()],
-    })
-}
-
-/// The columns that a header names.
-fn header(line: usize, names: &[&str], reading: &Reading) -> Result<Columns, TableError> {
-    let (mut x, mut y, mut floor) = (None, None, None);
-    for (index, name) in names.iter().enumerate() {
-        let lower = name.to_lowercase();
-        let lower = lower.as_str();
-        let slot = if lower == "n" || X_NAMES.contains(&lower) {
-            x.replace((index, lower == "n")).map(drop)
-        } else if ERROR_NAMES.contains(&lower) || VALUE_NAMES.contains(&lower) {
-            y.replace((index, VALUE_NAMES.contains(&lower))).map(drop)
-        } else if lower == "floor" {
-            floor.replace(index).map(drop)
-        } else {
-            return Err(TableError::UnknownColumn {
-                line,
-                name: (*name).into(),
-            });
-        };
-        if slot.is_some() {
-            return Err(TableError::ExtraColumn {
-                line,
-                name: (*name).into(),
-            });
-        }
-    }
-    let missing = |missing| TableError::MissingColumn { line, missing };
-    let (x, x_is_n) = x.ok_or(missing("step"))?;
-    let (y, y_is_value) = y.ok_or(missing("error or value"))?;
-    if !y_is_value && (reading.exact.is_some() || reading.differences) {
-        return Err(TableError::ErrorsForValues {
-            line,
-            name: names[y].into(),
-        });
-    }
-    Ok(Columns {
-        count: names.len(),
-        x,
-        x_is_n,
-        y,
-        y_is_value,
-        floor,
-        names: names.iter().map(|n| (*n).into()).collect(),
-    })
+    field.starts_with(|c: char| c.is_ascii_digit() || "+-.".contains(c))
+        || field.parse::<f64>().is_ok()
 }
 
 /// One row of numbers.
@@ -438,3 +248,6 @@ fn levels(rows: Vec<Row>, columns: &Columns, reading: &Reading) -> Table {
         floor_source,
     }
 }
+
+#[cfg(test)]
+mod tests;

@@ -140,6 +140,19 @@ impl Trend {
     }
 }
 
+/// What happens beyond the usable levels.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Beyond {
+    /// There is nothing beyond: no level is at the floor.
+    Nothing,
+    /// All finer levels are at the floor.
+    Floor,
+    /// Errors exceed 30 floors again.
+    Rise,
+    /// … and grow up to the last level.
+    Growth,
+}
+
 /// Everything a verdict rests on.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Evidence {
@@ -147,12 +160,7 @@ pub(super) struct Evidence {
     pub(super) finite: bool,
     /// No level stands above the floor.
     pub(super) all_at_floor: bool,
-    /// The floor cut the ladder.
-    pub(super) cut: bool,
-    /// Errors exceed 30 floors again beyond the cut.
-    pub(super) rises: bool,
-    /// … and grow up to the last level.
-    pub(super) rises_to_the_end: bool,
+    pub(super) beyond: Beyond,
     /// Trend of the usable levels.
     pub(super) trend: Trend,
     /// Sign changes among the last four usable levels.
@@ -179,7 +187,7 @@ pub(super) fn judge(evidence: &Evidence, expected: Option<Expected>) -> Verdict 
         Some(e) => (Trend::Converging, e.sign_change),
         None => (evidence.trend, evidence.late_sign_changes >= 2),
     };
-    if evidence.rises_to_the_end || trend == Trend::Growing {
+    if evidence.beyond == Beyond::Growth || trend == Trend::Growing {
         return Verdict::Diverged;
     }
     if oscillates {
@@ -191,13 +199,15 @@ pub(super) fn judge(evidence: &Evidence, expected: Option<Expected>) -> Verdict 
     if blind {
         return Verdict::Blind;
     }
-    if evidence.rises {
+    if evidence.beyond == Beyond::Rise {
         return Verdict::PreAsymptotic;
     }
     let narrow = evidence.estimate.filter(|e| e.half_width <= MAX_HALF_WIDTH);
     match narrow {
         Some(estimate) => compare(estimate, expected),
-        None if evidence.cut || floor_widens(evidence.estimate) => Verdict::FloorLimited,
+        None if evidence.beyond == Beyond::Floor || floor_widens(evidence.estimate) => {
+            Verdict::FloorLimited
+        }
         None => Verdict::PreAsymptotic,
     }
 }

@@ -15,6 +15,16 @@ pub enum MethodError {
         /// What n must be a multiple of.
         multiple: u64,
     },
+    /// n is too small for the stencil of an interpolant.
+    #[error("n = {n} segments are too few for {interpolant} (allowed: {least} or more)")]
+    TooFewSegments {
+        /// The interpolant's name.
+        interpolant: String,
+        /// The number of segments asked for.
+        n: u64,
+        /// The least that suits.
+        least: u64,
+    },
     /// Integration in closed form on a case whose transfer functions are no known polynomials.
     #[error(
         "no closed form: the case's transfer functions are not polynomials (allowed: integration by sub-intervals)"

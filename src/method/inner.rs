@@ -78,23 +78,30 @@ impl Inner {
         nodes: &N,
         n: u64,
     ) -> Result<OpticalDepth<Number<N>>, MethodError> {
+        require_multiple(self, n, self.segments_multiple())?;
         let zero = nodes.format().int(0);
         match self {
             Inner::PerSegment(rule) => {
-                require_multiple(self, n, 1)?;
                 let whole = Rational::from(1);
                 let segments = segments::partial_depths(rule, nodes, n, &whole)?;
                 Ok(OpticalDepth::from_segments(segments, zero))
             }
             Inner::SimpsonPairs(filling) => {
-                require_multiple(self, n, 2)?;
                 let segments = pairs::segment_depths(filling, nodes, n);
                 Ok(OpticalDepth::from_segments(segments, zero))
             }
             Inner::MonteCarlo { sampling, seed } => {
-                require_multiple(self, n, 1)?;
                 Ok(monte_carlo::depth(sampling, seed, nodes, n))
             }
+        }
+    }
+
+    /// What the number of segments must be a multiple of.
+    #[must_use]
+    pub fn segments_multiple(self) -> u64 {
+        match self {
+            Inner::SimpsonPairs(_) => 2,
+            Inner::PerSegment(_) | Inner::MonteCarlo { .. } => 1,
         }
     }
 
@@ -110,12 +117,10 @@ impl Inner {
         offset: &Rational,
         depth: &OpticalDepth<Number<N>>,
     ) -> Result<Vec<Number<N>>, MethodError> {
+        require_multiple(self, n, self.segments_multiple())?;
         match self {
             Inner::PerSegment(rule) => Ok(segments::partial_depths(rule, nodes, n, offset)?),
-            Inner::SimpsonPairs(filling) => {
-                require_multiple(self, n, 2)?;
-                Ok(pairs::partial_depths(filling, nodes, n, offset))
-            }
+            Inner::SimpsonPairs(filling) => Ok(pairs::partial_depths(filling, nodes, n, offset)),
             Inner::MonteCarlo { sampling, seed } => Ok(monte_carlo::partial_depths(
                 sampling, seed, nodes, n, offset, depth,
             )),
@@ -132,6 +137,11 @@ impl Inner {
         let (order, degree) = match self {
             Inner::PerSegment(rule) => (f64::from(rule.order()), rule.degree() as usize),
             Inner::SimpsonPairs(filling) => filling.order_and_degree(),
+            // How many of the shared samples lie before a node is random, whatever the medium.
+            Inner::MonteCarlo {
+                sampling: Sampling::Shared,
+                ..
+            } => return Some(Sampling::Shared.order()),
             Inner::MonteCarlo { sampling, .. } => (sampling.order(), 0),
         };
         match extinction_degree {

@@ -5,9 +5,12 @@ mod expected;
 mod exponential;
 mod inner;
 mod limit;
+mod march;
 mod nested;
 mod outer;
 mod preintegrated;
+#[cfg(test)]
+mod tests;
 
 pub use error::MethodError;
 pub use expected::Expected;
@@ -46,6 +49,30 @@ impl Method {
         match self {
             Method::Nested(nested) => nested.radiance(nodes, n),
             Method::Preintegrated(preintegrated) => preintegrated.radiance(nodes, n),
+        }
+    }
+
+    /// Whether the method can run on n segments.
+    ///
+    /// # Errors
+    /// [`MethodError::Segments`] where it cannot.
+    pub fn check_segments(&self, n: u64) -> Result<(), MethodError> {
+        match self {
+            Method::Nested(nested) => {
+                let outer = nested.outer;
+                error::require_multiple(outer, n, outer.segments_multiple())?;
+                let inner = nested.inner;
+                error::require_multiple(inner, n, inner.segments_multiple())
+            }
+            Method::Preintegrated(preintegrated) => {
+                for interpolant in [
+                    preintegrated.color.interpolant,
+                    preintegrated.opacity.interpolant,
+                ] {
+                    interpolant.check_segments(n)?;
+                }
+                Ok(())
+            }
         }
     }
 

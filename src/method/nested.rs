@@ -2,7 +2,7 @@
 //! exponential between them.
 
 use super::limit::{Limit, Part};
-use super::{Exponential, Inner, MethodError, OpticalDepth, Outer, Scope};
+use super::{Exponential, Inner, MethodError, OpticalDepth, Outer, Scope, march};
 use crate::case::{Nodes, Structure};
 use crate::real::Format;
 use rug::Rational;
@@ -33,6 +33,9 @@ impl Nested {
     /// # Errors
     /// [`MethodError::Segments`] where n does not suit one of the rules.
     pub fn radiance<N: Nodes>(&self, nodes: &N, n: u64) -> Result<Number<N>, MethodError> {
+        if let Some(radiance) = march::radiance(self, nodes, n) {
+            return radiance;
+        }
         let attenuation = Attenuation::new(self.inner, self.exponential, self.scope, nodes, n)?;
         self.outer.radiance(&attenuation)
     }

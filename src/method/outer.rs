@@ -111,16 +111,16 @@ fn terms<'a, R: Real>(
 }
 
 /// A closed rule repeated over n segments, in units of the step: neighbours share a node.
-struct CompositeWeights<R> {
-    first: R,
+pub(super) struct CompositeWeights<R> {
+    pub(super) first: R,
     /// The weights of nodes m, 1, 2 … m − 1 within each group of m segments, node m being the next
     /// group's node 0.
-    repeating: Vec<R>,
-    last: R,
+    pub(super) repeating: Vec<R>,
+    pub(super) last: R,
 }
 
 impl<R: Real> CompositeWeights<R> {
-    fn new(rule: Rule, intervals: u32, format: R::Format) -> Result<Self, MethodError> {
+    pub(super) fn new(rule: Rule, intervals: u32, format: R::Format) -> Result<Self, MethodError> {
         let table = rule.table(format.bits())?;
         let mut weights = vec![Rational::new(); intervals as usize + 1];
         for (node, weight) in table.nodes.iter().zip(&table.weights) {

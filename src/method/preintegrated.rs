@@ -5,6 +5,8 @@ mod interpolant;
 mod opacity;
 mod polynomial;
 mod series;
+#[cfg(test)]
+mod tests;
 
 pub use color::{Color, Integration};
 pub use interpolant::{Interpolant, LastSegment};

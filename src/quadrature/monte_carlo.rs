@@ -91,3 +91,6 @@ impl Draw {
         (index, Rational::from((scaled % one, one)))
     }
 }
+
+#[cfg(test)]
+mod tests;

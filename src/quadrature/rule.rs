@@ -125,7 +125,10 @@ impl FromStr for Rule {
                     return Err(RuleError::Unknown { name: name.into() });
                 };
                 match points.parse() {
-                    Ok(p) if (1..=MAX_GAUSS_POINTS).contains(&p) => Ok(Rule::GaussLegendre(p)),
+                    // A sign is no part of a number of points, though Rust's integers take one.
+                    Ok(p) if (1..=MAX_GAUSS_POINTS).contains(&p) && !points.starts_with('+') => {
+                        Ok(Rule::GaussLegendre(p))
+                    }
                     _ => Err(RuleError::Points {
                         points: points.into(),
                     }),
@@ -148,3 +151,6 @@ impl fmt::Display for Rule {
         }
     }
 }
+
+#[cfg(test)]
+mod tests;

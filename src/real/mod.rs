@@ -9,6 +9,8 @@
 mod mpfr;
 mod name;
 mod native;
+#[cfg(test)]
+mod tests;
 
 pub use mpfr::{Mpfr, MpfrReal};
 pub use name::{FormatError, FormatName, MAX_BITS, MIN_BITS, WithFormat};

@@ -58,7 +58,10 @@ impl FromStr for FormatName {
                     return Err(FormatError::Unknown { name: name.into() });
                 };
                 match bits.parse() {
-                    Ok(b) if (MIN_BITS..=MAX_BITS).contains(&b) => Ok(FormatName::Mpfr(b)),
+                    // A sign is no part of a precision, though Rust's integers take one.
+                    Ok(b) if (MIN_BITS..=MAX_BITS).contains(&b) && !bits.starts_with('+') => {
+                        Ok(FormatName::Mpfr(b))
+                    }
                     _ => Err(FormatError::Precision { bits: bits.into() }),
                 }
             }
@@ -98,3 +101,6 @@ impl FormatName {
         }
     }
 }
+
+#[cfg(test)]
+mod tests;

@@ -140,13 +140,19 @@ impl<T: NativeFloat> Format for Native<T> {
                 _ => T::nan(),
             }
         } else {
-            self.ratio(&Rational::from((numerator, denominator)))
+            wide_fraction(self, numerator, denominator)
         }
     }
 
     fn pi(self) -> T {
         T::PI()
     }
+}
+
+/// Out of line, so that the loop over ordinary nodes stays small enough to be pipelined.
+#[cold]
+fn wide_fraction<T: NativeFloat>(format: Native<T>, numerator: u64, denominator: u64) -> T {
+    format.ratio(&Rational::from((numerator, denominator)))
 }
 
 impl<T: NativeFloat> Real for T {

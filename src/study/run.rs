@@ -175,3 +175,6 @@ impl Run {
         self.radiances.get(method)?.get(level)
     }
 }
+
+#[cfg(test)]
+mod tests;

@@ -266,3 +266,17 @@ fn bad_input_is_named() {
     }
     assert!(fit(&[], Some(Expected::Order(f64::NAN))).is_err());
 }
+
+#[test]
+fn steps_one_rounding_apart_give_numbers_all_the_same() {
+    let mut step = 1.0_f64;
+    let mut rows = Vec::new();
+    for error in [5.0, 4.0, 3.0, 2.0, 1.0] {
+        rows.push((step, error, 1e-3));
+        step = step.next_down();
+    }
+    let fit = fit(&samples(&rows), Some(Expected::Order(2.0))).unwrap();
+    assert!(orders(&fit).iter().all(|p| p.is_finite() && *p > 1e14));
+    assert!(fit.order.unwrap().is_finite() && fit.half_width.unwrap().is_finite());
+    assert!(!fit.verdict.passes(Some(Expected::Order(2.0))));
+}

@@ -28,6 +28,7 @@ fn of(errors: &[f64], floor: f64) -> Vec<Sample> {
         .collect()
 }
 
+#[allow(clippy::unnecessary_wraps)] // What is expected is optional.
 fn order(p: f64) -> Option<Expected> {
     Some(Expected::Order(p))
 }
@@ -230,7 +231,7 @@ fn growth_beyond_an_understated_floor_is_growth_still() {
 #[test]
 fn a_sign_change_inside_the_window_is_oscillation() {
     let sign = |n: u64| {
-        if n.trailing_zeros() % 2 == 0 {
+        if n.trailing_zeros().is_multiple_of(2) {
             1.0
         } else {
             -1.0
@@ -248,8 +249,15 @@ fn a_sign_change_inside_the_window_is_oscillation() {
     let once = of(&[1.0, 0.125, 0.0625, 0.0078, -0.0039], 1e-16);
     assert_eq!(judged(&once, order(2.0)), Verdict::PreAsymptotic);
     // Two changes, but before the last four levels.
-    let early = of(&[1.0, -0.125, 0.0625, 0.0078, 0.0039, 0.0005], 1e-16);
-    assert_eq!(judged(&early, order(2.0)), Verdict::PreAsymptotic);
+    for early in [
+        &[1.0, -0.125, 0.0625, 0.0078, 0.0039, 0.0005][..],
+        &[
+            1.0, 0.125, 0.0625, -0.0078, 0.0039, 0.0005, 0.00025, 0.00003,
+        ],
+    ] {
+        let early = of(early, 1e-16);
+        assert_eq!(judged(&early, order(2.0)), Verdict::PreAsymptotic);
+    }
 }
 
 #[test]

@@ -1,7 +1,7 @@
 //! The field along a segment, as a polynomial in x ∈ [0, 1].
 
 use crate::case::{Nodes, Structure};
-use crate::method::error::{MethodError, require_multiple};
+use crate::method::error::MethodError;
 use crate::method::nested::Number;
 use crate::real::{Format, Real};
 use rug::Rational;
@@ -47,6 +47,21 @@ impl Interpolant {
         }
     }
 
+    pub(in crate::method) fn check_segments(self, n: u64) -> Result<(), MethodError> {
+        let least = match self {
+            Interpolant::Quadratic(LastSegment::Backward) => 2,
+            _ => 1,
+        };
+        if n < least {
+            return Err(MethodError::TooFewSegments {
+                interpolant: self.to_string(),
+                n,
+                least,
+            });
+        }
+        Ok(())
+    }
+
     /// Whether it reproduces the field of such a case.
     pub(super) fn is_exact(self, structure: &Structure) -> bool {
         structure.field_degree.is_some_and(|d| d <= self.degree())
@@ -58,11 +73,7 @@ impl Interpolant {
         nodes: &N,
         n: u64,
     ) -> Result<Vec<Vec<Number<N>>>, MethodError> {
-        let least = match self {
-            Interpolant::Quadratic(LastSegment::Backward) if n < 2 => 2,
-            _ => 1,
-        };
-        require_multiple(self, n, least)?;
+        self.check_segments(n)?;
         let column = nodes.boundaries(n);
         let ends = column.field.windows(2);
         Ok(match self {

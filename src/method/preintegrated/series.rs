@@ -25,7 +25,7 @@ pub(super) fn attenuated_integral<R: Real>(source: &[R], depth: &[R]) -> Result<
     let size: f64 = depth.iter().map(|c| c.log2_abs().exp2()).sum();
     if size.is_nan() || size > MAX_PIECES {
         return Err(MethodError::ThickSegment {
-            depth: size.to_string(),
+            depth: size.round().to_string(),
         });
     }
     if size <= 1.0 {
@@ -35,13 +35,18 @@ pub(super) fn attenuated_integral<R: Real>(source: &[R], depth: &[R]) -> Result<
     let whole: Vec<R> = std::iter::once(format.int(0))
         .chain(depth.iter().cloned())
         .collect();
-    #[expect(clippy::cast_possible_truncation, reason = "at most MAX_PIECES")]
-    let pieces = size.ceil() as i64;
-    let scale = format.int(1) / &format.int(pieces);
+    #[expect(
+        clippy::cast_possible_truncation,
+        clippy::cast_sign_loss,
+        reason = "1 … MAX_PIECES"
+    )]
+    let pieces = size.ceil() as u64;
+    // Fractions, as in binary16 the number of pieces itself may be ∞.
+    let scale = format.fraction(1, pieces);
     let mut sum = format.int(0);
     let mut transmittance = format.int(1);
     for piece in 0..pieces {
-        let origin = format.int(piece) * &scale;
+        let origin = format.fraction(piece, pieces);
         let shifted = shift(&whole, &origin, &scale);
         let Some((_, inside)) = shifted.split_first() else {
             break;
@@ -92,3 +97,6 @@ fn terms(size: f64, degree: usize, bits: u32) -> usize {
 fn index(m: usize) -> i64 {
     i64::try_from(m).unwrap_or(i64::MAX)
 }
+
+#[cfg(test)]
+mod tests;

@@ -5,8 +5,8 @@ use super::explain::{Evidence, explain};
 use super::tables::Cell;
 use super::{ORACLE_BITS, ReproduceError, Settings, protocol};
 use crate::case::Case;
-use crate::convergence::fit;
-use crate::method::{Expected, Method};
+use crate::convergence::{Fit, Verdict, fit};
+use crate::method::{Expected, Limit, Method};
 use crate::real::{Format, FormatName, Mpfr, Native, WithFormat};
 use crate::study::run::units_a_segment;
 use crate::study::{Progress, Run, samples};
@@ -52,7 +52,10 @@ pub(super) fn entries<C: Case>(
             let limits = cell.method.limits(case);
             let expected = Expected::from_limits(&limits);
             let measured = samples(case, &run, index, floors);
-            let fit = fit(&measured, Some(expected))?;
+            let mut fit = fit(&measured, Some(expected))?;
+            if on_plateau_of_another_part(&fit, &limits) {
+                fit.verdict = Verdict::PreAsymptotic;
+            }
             let in_binary64 = samples(case, &protocol, index, Some(&oracle));
             let in_exact = samples(case, &oracle.at_levels(&protocol::LADDER), index, None);
             let note = explain(&Evidence {
@@ -87,6 +90,19 @@ pub(super) fn entries<C: Case>(
         }
     }
     Ok(entries)
+}
+
+/// Whether the order is too high because it is that of a part which is not the limiting one: the
+/// limiting part's error is still below it, and shows on a longer ladder.
+fn on_plateau_of_another_part(fit: &Fit, limits: &[Limit]) -> bool {
+    let (Verdict::TooHigh, Some(order), Some(half_width)) =
+        (fit.verdict, fit.order, fit.half_width)
+    else {
+        return false;
+    };
+    limits
+        .iter()
+        .any(|limit| !limit.vanishes && (limit.order - order).abs() <= half_width)
 }
 
 /// The levels that the oracle is needed at: those asked for and the protocol's.

@@ -42,6 +42,29 @@ pub struct Entry {
     pub replicas: Option<usize>,
 }
 
+impl Entry {
+    /// Whether the measurement says something else than theory, which no lack of levels, precision or
+    /// sensitivity excuses.
+    #[must_use]
+    pub fn contradicts_theory(&self) -> bool {
+        match self.verdict {
+            Verdict::TooLow
+            | Verdict::TooHigh
+            | Verdict::Oscillatory
+            | Verdict::Diverged
+            | Verdict::NotFinite => true,
+            Verdict::Stalled => self.expected != Expected::Order(0.0),
+            Verdict::Exact => self.expected != Expected::Exact,
+            Verdict::Confirmed
+            | Verdict::PreAsymptotic
+            | Verdict::FloorLimited
+            | Verdict::TooFewLevels
+            | Verdict::Blind
+            | Verdict::Fitted => false,
+        }
+    }
+}
+
 /// The error at one level.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Level {

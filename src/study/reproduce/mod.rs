@@ -52,6 +52,28 @@ impl Default for Settings {
     }
 }
 
+impl Settings {
+    /// Whether every level suits every method: known before anything runs.
+    ///
+    /// # Errors
+    /// [`MethodError::Segments`] for the first that does not.
+    pub fn check(&self) -> Result<(), MethodError> {
+        let mut methods = Vec::new();
+        if self.tables.contains(&TableNumber::One) {
+            methods.extend(tables::nested().into_iter().map(|cell| cell.method));
+        }
+        if self.tables.contains(&TableNumber::Two) {
+            methods.extend(tables::preintegrated().into_iter().map(|cell| cell.method));
+        }
+        for method in methods {
+            for &n in &self.ladder {
+                method.check_segments(n)?;
+            }
+        }
+        Ok(())
+    }
+}
+
 /// Why the tables cannot be measured.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
 pub enum ReproduceError {
@@ -74,6 +96,7 @@ pub fn reproduce(
     settings: &Settings,
     progress: &dyn Progress,
 ) -> Result<Vec<Entry>, ReproduceError> {
+    settings.check()?;
     let mut entries = Vec::new();
     if settings.tables.contains(&TableNumber::One) {
         let cells = tables::nested();

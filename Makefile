@@ -1,0 +1,35 @@
+# What a stranger runs and what CI runs are the same commands.
+
+.PHONY: reproduce test proofs lint bench setup
+.DEFAULT_GOAL := reproduce
+
+# The main job: the paper's tables, measured again; the report goes to reproduction/.
+reproduce: setup
+	cargo run --release --locked --quiet -- reproduce --out reproduction
+
+test: setup
+	cargo test --locked
+
+# Checked by Coq; installs Debian's packages where they are missing.
+proofs:
+	proofs/check
+
+lint: setup
+	cargo fmt --check
+	cargo clippy --locked --all-targets -- -D warnings
+	RUSTDOCFLAGS="-D warnings" cargo doc --locked --no-deps
+
+bench: setup
+	cargo bench --locked
+
+# GMP's build needs m4, which fresh machines lack.
+SUDO := $(shell [ "$$(id -u)" -eq 0 ] || echo sudo)
+setup:
+	@command -v m4 >/dev/null 2>&1 || { \
+	  echo "installing m4, which the build of GMP needs"; \
+	  if command -v apt-get >/dev/null 2>&1; then \
+	    $(SUDO) apt-get update -qq && $(SUDO) env DEBIAN_FRONTEND=noninteractive apt-get install -y -qq m4; \
+	  elif command -v dnf >/dev/null 2>&1; then $(SUDO) dnf install -y -q m4; \
+	  elif command -v brew >/dev/null 2>&1; then brew install --quiet m4; \
+	  else echo "m4 is missing (allowed: any way to install it; apt-get, dnf and brew are known here)" >&2; exit 2; \
+	  fi; }

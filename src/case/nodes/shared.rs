@@ -1,0 +1,134 @@
+//! Every node evaluated once and kept.
+
+use super::grid::{Grid, indices};
+use super::{Column, Fresh, Nodes};
+use crate::case::{Case, PolynomialTransfer, Transfer};
+use crate::real::Format;
+use rug::Rational;
+use std::collections::HashMap;
+use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
+
+/// Every node evaluated once and kept: all rules, methods and levels that ask share its values.
+#[derive(Debug)]
+pub struct Shared<'c, C, F: Format> {
+    fresh: Fresh<'c, C, F>,
+    cache: Mutex<Cache<F::Real>>,
+}
+
+#[derive(Debug)]
+struct Cache<R> {
+    /// By position, a fraction in lowest terms.
+    values: HashMap<(u64, u64), (R, Transfer<R>)>,
+    /// By n and offset; boundaries have no offset.
+    columns: HashMap<(u64, Option<Rational>), Arc<Column<R>>>,
+}
+
+impl<'c, C: Case, F: Format> Shared<'c, C, F> {
+    /// Nodes of `case` in `format`, none evaluated yet.
+    pub fn new(case: &'c C, format: F) -> Self {
+        Shared {
+            fresh: Fresh::new(case, format),
+            cache: Mutex::new(Cache {
+                values: HashMap::new(),
+                columns: HashMap::new(),
+            }),
+        }
+    }
+
+    /// How often the medium was evaluated so far.
+    pub fn evaluations(&self) -> u64 {
+        self.fresh.evaluations()
+    }
+
+    fn cache(&self) -> MutexGuard<'_, Cache<F::Real>> {
+        // Values and columns go in whole, so a poisoned cache is still sound.
+        self.cache.lock().unwrap_or_else(PoisonError::into_inner)
+    }
+
+    /// The column of that key, evaluated where it is not kept yet.
+    fn column(&self, n: u64, offset: Option<&Rational>) -> Arc<Column<F::Real>> {
+        let mut cache = self.cache();
+        let key = (n, offset.cloned());
+        if let Some(column) = cache.columns.get(&key) {
+            return Arc::clone(column);
+        }
+        let grid = self.fresh.grid(n, offset.unwrap_or(&Rational::new()));
+        let column = match (grid, offset) {
+            (Some(grid), None) => self.gather(&mut cache, &grid, n + 1),
+            (Some(grid), Some(_)) => self.gather(&mut cache, &grid, n),
+            // Places that are no fractions of machine integers belong to their level alone.
+            (None, None) => self.fresh.boundaries(n),
+            (None, Some(offset)) => self.fresh.interior(n, offset),
+        };
+        cache.columns.insert(key, Arc::clone(&column));
+        column
+    }
+
+    fn gather(&self, cache: &mut Cache<F::Real>, grid: &Grid, count: u64) -> Arc<Column<F::Real>> {
+        let places = indices(count);
+        let mut column = Column::with_capacity(places.len());
+        for j in places {
+            let (numerator, denominator) = grid.place(j);
+            let common = gcd(numerator, denominator);
+            let key = (numerator / common, denominator / common);
+            let (field, transfer) = cache.values.entry(key).or_insert_with(|| {
+                self.fresh.count(1);
+                self.fresh.at_fraction(key)
+            });
+            column.push(field.clone(), transfer.clone());
+        }
+        Arc::new(column)
+    }
+}
+
+impl<C: Case, F: Format> Nodes for Shared<'_, C, F> {
+    type Format = F;
+
+    fn format(&self) -> F {
+        self.fresh.format()
+    }
+
+    fn length(&self) -> &Rational {
+        self.fresh.length()
+    }
+
+    fn boundaries(&self, n: u64) -> Arc<Column<F::Real>> {
+        self.column(n, None)
+    }
+
+    fn march(&self, n: u64) -> impl Iterator<Item = Transfer<F::Real>> {
+        let column = self.boundaries(n);
+        (0..column.extinction.len()).map(move |i| Transfer {
+            emission: column.emission[i].clone(),
+            extinction: column.extinction[i].clone(),
+        })
+    }
+
+    fn interior(&self, n: u64, offset: &Rational) -> Arc<Column<F::Real>> {
+        self.column(n, Some(offset))
+    }
+
+    fn beyond(&self, n: u64) -> F::Real {
+        self.fresh.beyond(n)
+    }
+
+    fn extinction_at(&self, lambda: &F::Real) -> F::Real {
+        self.fresh.extinction_at(lambda)
+    }
+
+    fn transfer(&self, s: &F::Real) -> Transfer<F::Real> {
+        self.fresh.transfer(s)
+    }
+
+    fn polynomial_transfer(&self) -> Option<&PolynomialTransfer> {
+        self.fresh.polynomial_transfer()
+    }
+}
+
+/// The greatest common divisor; of 0 and b it is b.
+fn gcd(mut a: u64, mut b: u64) -> u64 {
+    while b != 0 {
+        (a, b) = (b, a % b);
+    }
+    a
+}

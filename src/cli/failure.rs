@@ -1,0 +1,75 @@
+//! Why a run came to no end, in one line: what, where, allowed.
+
+use clap::CommandFactory;
+use clap::error::ErrorKind;
+use std::io;
+
+/// Why there is no outcome.
+#[derive(Debug, thiserror::Error)]
+pub(crate) enum Failure {
+    /// Help or version was asked for: the text to show, and no failure at all.
+    #[error("{0}")]
+    Shown(String),
+    /// The command line is wrong.
+    #[error("{0}")]
+    Usage(String),
+    /// A file cannot be read.
+    #[error("{path}: {error} (allowed: a readable text file, or - for standard input)")]
+    Input {
+        /// The path as given.
+        path: String,
+        /// What the system said.
+        error: io::Error,
+    },
+    /// What is in a file is wrong.
+    #[error("{path}: {error}")]
+    Content {
+        /// The path as given.
+        path: String,
+        /// What is wrong.
+        error: anyhow::Error,
+    },
+    /// A report cannot be made or written.
+    #[error("{0} (allowed: a place that can be written)")]
+    Report(#[from] volver::report::ReportError),
+    /// Standard output cannot be written.
+    #[error("standard output: {0}")]
+    Output(io::Error),
+}
+
+impl From<clap::Error> for Failure {
+    fn from(error: clap::Error) -> Self {
+        let text = error.render().to_string();
+        match error.kind() {
+            ErrorKind::DisplayHelp | ErrorKind::DisplayVersion => Failure::Shown(text),
+            kind => Failure::Usage(one_line(kind, &text)),
+        }
+    }
+}
+
+/// The first paragraph of clap's message in one line, and what is allowed.
+fn one_line(kind: ErrorKind, text: &str) -> String {
+    let paragraph: Vec<&str> = text
+        .lines()
+        .take_while(|line| !line.trim().is_empty())
+        .map(str::trim)
+        .collect();
+    let line = paragraph.join(" ");
+    let line = line.strip_prefix("error: ").unwrap_or(&line);
+    let line = line
+        .replace("[possible values: ", "(allowed: ")
+        .replace("[subcommands: ", "(allowed: ");
+    match line.strip_suffix(']') {
+        Some(line) => format!("{line})"),
+        None if line.contains("(allowed: ") => line,
+        None if kind == ErrorKind::InvalidSubcommand => {
+            let command = super::Arguments::command();
+            let names: Vec<&str> = command
+                .get_subcommands()
+                .map(clap::Command::get_name)
+                .collect();
+            format!("{line} (allowed: {})", names.join(", "))
+        }
+        None => format!("{line} (allowed: see --help)"),
+    }
+}

@@ -1,0 +1,149 @@
+//! `volver fit`: an order and a verdict from a table of steps and errors, or values.
+
+mod json;
+mod text;
+
+use super::{Color, Failure, Outcome, write_out};
+use clap::Args;
+use std::fs;
+use std::io::{self, Read};
+use volver::convergence::table::{self, FloorSource, Levels, Reading};
+use volver::convergence::{Decimal, Fit as Fitted, Sample, fit, fit_differences};
+use volver::method::Expected;
+
+const EXAMPLES: &str = "\
+FILE has one row a level: step and error, separated by commas, semicolons, tabs
+or blanks. A header may name the columns: h, d, dx, step or n (h = 1/n); error,
+err, e, or value, v, q, result; floor. # starts a comment.
+
+Examples:
+  printf '.4 8e-2\\n.2 2e-2\\n.1 5e-3\\n.05 1.25e-3\\n' | volver fit - --expect 2
+  printf 'n,v\\n4,1.01\\n8,1.005\\n16,1.0025\\n32,1.00125\\n' | volver fit - --exact 1
+  printf '8 1.80000\\n4 1.4\\n2 1.2\\n1 1.1\\n.5 1.05\\n' | volver fit - --richardson
+  printf 'h,e\\n4,0\\n2,0\\n1,0\\n.5,0\\n' | volver fit - --expect exact --json
+
+JSON: verdict, passes, expected, source, order, half_width, log2_constant,
+window, floor, floor_source, cut, pairs, notes, samples. An error below 1e-300
+is a string.";
+
+/// Fit an order of accuracy to errors, or values, at decreasing steps
+#[derive(Args)]
+#[command(after_help = EXAMPLES)]
+pub(crate) struct Fit {
+    /// Table of steps with errors or values; - reads standard input
+    file: String,
+    /// The exact value: the table holds values
+    #[arg(long, value_name = "X", value_parser = decimal, allow_hyphen_values = true)]
+    exact: Option<Decimal>,
+    /// Fit the differences of values, where no exact value is known
+    #[arg(long, conflicts_with = "exact")]
+    richardson: bool,
+    /// Check the order: exit with 1 unless it is P (or the word exact)
+    #[arg(long, value_name = "P", value_parser = expected, allow_hyphen_values = true)]
+    expect: Option<Expected>,
+    /// Roundoff floor of every error or value; for values the default is half a
+    /// unit of the last digit
+    #[arg(long, value_name = "F", value_parser = floor, allow_hyphen_values = true)]
+    floor: Option<Decimal>,
+    /// Print one JSON document
+    #[arg(long)]
+    json: bool,
+    /// Colour the verdict
+    #[arg(long, value_enum, default_value = "auto", value_name = "WHEN")]
+    color: Color,
+}
+
+/// Everything there is to report.
+struct Report {
+    fit: Fitted,
+    samples: Vec<Sample>,
+    expected: Option<Expected>,
+    floor_source: FloorSource,
+    source: &'static str,
+}
+
+impl Fit {
+    pub(crate) fn run(self) -> Result<Outcome, Failure> {
+        let text = read(&self.file)?;
+        let report = self.fit(&text).map_err(|error| Failure::Content {
+            path: self.file.clone(),
+            error,
+        })?;
+        let output = if self.json {
+            json::render(&report).map_err(|error| Failure::Output(error.into()))?
+        } else {
+            text::render(&report, self.color.is_on())
+        };
+        write_out(&output)?;
+        match self.expect {
+            Some(_) if !report.fit.verdict.passes(self.expect) => Ok(Outcome::CheckFailed),
+            _ => Ok(Outcome::Good),
+        }
+    }
+
+    fn fit(&self, text: &str) -> anyhow::Result<Report> {
+        let reading = Reading {
+            exact: self.exact.as_ref().map(|x| x.value.clone()),
+            differences: self.richardson,
+            floor: self.floor.as_ref().map(|f| f.value.clone()),
+        };
+        let table = table::read(text, &reading)?;
+        let (fit, samples, source) = match table.levels {
+            Levels::Errors(samples) => {
+                let source = if self.exact.is_some() {
+                    "exact"
+                } else {
+                    "errors"
+                };
+                (fit(&samples, self.expect)?, samples, source)
+            }
+            Levels::Values(values) => {
+                let found = fit_differences(&values, self.expect)?;
+                (found.fit, found.samples, "differences")
+            }
+        };
+        Ok(Report {
+            fit,
+            samples,
+            expected: self.expect,
+            floor_source: table.floor_source,
+            source,
+        })
+    }
+}
+
+/// The text of a file, or of standard input.
+fn read(path: &str) -> Result<String, Failure> {
+    let text = if path == "-" {
+        let mut text = String::new();
+        io::stdin().lock().read_to_string(&mut text).map(|_| text)
+    } else {
+        fs::read_to_string(path)
+    };
+    text.map_err(|error| Failure::Input {
+        path: path.into(),
+        error,
+    })
+}
+
+fn decimal(text: &str) -> Result<Decimal, &'static str> {
+    Decimal::parse(text).ok_or("not a number (allowed: finite decimal numbers)")
+}
+
+fn floor(text: &str) -> Result<Decimal, &'static str> {
+    decimal(text)?;
+    Decimal::parse(text)
+        .filter(|f| f.value >= 0)
+        .ok_or("negative (allowed: 0 or above)")
+}
+
+fn expected(text: &str) -> Result<Expected, &'static str> {
+    if text.eq_ignore_ascii_case("exact") {
+        return Ok(Expected::Exact);
+    }
+    Decimal::parse(text)
+        .map(|p| p.value.to_f64())
+        .filter(|p| p.is_finite())
+        .map(Expected::Order)
+        .ok_or("no order (allowed: a finite number, or exact)")
+}

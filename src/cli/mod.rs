@@ -1,0 +1,93 @@
+//! Arguments, output and exit codes; no numerics.
+
+mod completions;
+mod failure;
+mod fit;
+mod reproduce;
+mod terminal;
+
+pub(crate) use failure::Failure;
+pub(crate) use terminal::{Color, width};
+
+use clap::{Parser, Subcommand};
+use std::io::{self, ErrorKind, Write};
+use std::process::ExitCode;
+
+const EXAMPLES: &str = "\
+Exit codes: 0 good, 1 a check failed, 2 wrong usage or input.
+
+Examples:
+  volver reproduce --table 1 --levels 8..512
+  printf '0.4 8e-2\\n0.2 2e-2\\n0.1 5e-3\\n0.05 1.25e-3\\n' | volver fit -
+  volver completions bash";
+
+/// Verifies approximations of the volume rendering integral.
+#[derive(Parser)]
+#[command(version, after_help = EXAMPLES, arg_required_else_help = false)]
+struct Arguments {
+    #[command(subcommand)]
+    command: Command,
+}
+
+/// What to do; each has a file of its own.
+#[derive(Subcommand)]
+pub(crate) enum Command {
+    Reproduce(reproduce::Reproduce),
+    Fit(fit::Fit),
+    Completions(completions::Completions),
+}
+
+impl Command {
+    /// Does it.
+    pub(crate) fn run(self) -> Result<Outcome, Failure> {
+        match self {
+            Command::Reproduce(arguments) => arguments.run(),
+            Command::Fit(arguments) => arguments.run(),
+            Command::Completions(arguments) => arguments.run(),
+        }
+    }
+}
+
+/// How a run that came to an end went.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Outcome {
+    /// Nothing was checked, or every check passed.
+    Good,
+    /// A check failed.
+    CheckFailed,
+}
+
+/// Reads the command line.
+pub(crate) fn parse() -> Result<Command, Failure> {
+    match Arguments::try_parse() {
+        Ok(arguments) => Ok(arguments.command),
+        Err(error) => Err(Failure::from(error)),
+    }
+}
+
+/// The exit code; what went wrong goes to standard error in one line.
+pub(crate) fn report(outcome: Result<Outcome, Failure>) -> ExitCode {
+    match outcome {
+        Ok(Outcome::Good) => ExitCode::SUCCESS,
+        Ok(Outcome::CheckFailed) => ExitCode::from(1),
+        Err(Failure::Shown(text)) => match write_out(&text) {
+            Ok(()) => ExitCode::SUCCESS,
+            Err(failure) => report(Err(failure)),
+        },
+        Err(failure) => {
+            // Nobody is left to tell where standard error is closed.
+            let _ = writeln!(io::stderr().lock(), "volver: {failure}");
+            ExitCode::from(2)
+        }
+    }
+}
+
+/// Writes to standard output. A closed pipe is no failure: the reader has seen enough, and the
+/// exit code still tells how the run went.
+pub(crate) fn write_out(text: &str) -> Result<(), Failure> {
+    let mut out = io::stdout().lock();
+    match out.write_all(text.as_bytes()).and_then(|()| out.flush()) {
+        Err(error) if error.kind() != ErrorKind::BrokenPipe => Err(Failure::Output(error)),
+        _ => Ok(()),
+    }
+}

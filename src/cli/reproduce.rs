@@ -1,0 +1,157 @@
+//! `volver reproduce`: the paper's tables, measured again.
+
+use super::{Color, Failure, Outcome, write_out};
+use clap::Args;
+use indicatif::{ProgressBar, ProgressStyle};
+use std::path::{Path, PathBuf};
+use std::str::FromStr;
+use volver::convergence::Ladder;
+use volver::real::FormatName;
+use volver::report;
+use volver::study::Progress;
+use volver::study::reproduce::{
+    Entry, LADDER, ORACLE_BITS, Settings, TableNumber, reproduce, work,
+};
+
+const EXAMPLES: &str = "\
+For every entry: the paper's figure, the paper's protocol in binary64 (least
+squares over n = 8 … 1024), the order that exact arithmetic shows with its
+interval, a verdict, and one line wherever paper and order differ.
+
+LADDER is a number of levels from n = 8 on (10), a range by doubling (8..4096)
+or by another ratio (9..5000x3), or a list (12,24,48,96). Table 1 has Boole's
+rule, which needs multiples of 4.
+
+Examples:
+  volver reproduce --table 2 --levels 8
+  volver reproduce --table 1 --format f32 --format mpfr:256 --levels 8..512
+  volver reproduce --table 1 --levels 6 --json - --quiet";
+
+/// Measure the paper's Tables 1 and 2 again
+#[derive(Args)]
+#[command(after_help = EXAMPLES)]
+pub(crate) struct Reproduce {
+    /// Only this table: 1 or 2
+    #[arg(long = "table", value_name = "TABLE", value_parser = TableNumber::from_str)]
+    tables: Vec<TableNumber>,
+    /// Format that orders are measured in, repeatable: f16, bf16, f32, f64 or
+    /// mpfr:BITS [default: mpfr:128]
+    #[arg(long = "format", value_name = "FORMAT", value_parser = FormatName::from_str)]
+    formats: Vec<FormatName>,
+    /// Levels that orders are measured on [default: 8..4096]
+    #[arg(long, value_name = "LADDER", value_parser = Ladder::from_str)]
+    levels: Option<Ladder>,
+    /// Seed of the first Monte Carlo replica
+    #[arg(long, value_name = "SEED", default_value_t = 1)]
+    seed: u64,
+    /// Write all of it as one JSON document; - is standard output
+    #[arg(long, value_name = "FILE")]
+    json: Option<PathBuf>,
+    /// Write the report, as Markdown and JSON with SVG plots, into a directory
+    #[arg(long, value_name = "DIR")]
+    out: Option<PathBuf>,
+    /// Print no tables
+    #[arg(long)]
+    quiet: bool,
+    /// Colour the verdicts
+    #[arg(long, value_enum, default_value = "auto", value_name = "WHEN")]
+    color: Color,
+}
+
+impl Reproduce {
+    pub(crate) fn run(self) -> Result<Outcome, Failure> {
+        let settings = self.settings()?;
+        settings
+            .check()
+            .map_err(|error| Failure::Usage(format!("--levels: {error}")))?;
+        if let Some(directory) = &self.out {
+            report::prepare_directory(directory)?;
+        }
+        if let Some(file) = self.json.as_deref().filter(|file| *file != Path::new("-")) {
+            report::check_file(file)?;
+        }
+        let bar = Bar::new(work(&settings));
+        let entries =
+            reproduce(&settings, &bar).map_err(|error| Failure::Usage(error.to_string()))?;
+        bar.0.finish_and_clear();
+        self.write(&settings, &entries)?;
+        Ok(if entries.iter().any(Entry::contradicts_theory) {
+            Outcome::CheckFailed
+        } else {
+            Outcome::Good
+        })
+    }
+
+    fn settings(&self) -> Result<Settings, Failure> {
+        let or = |given: &[_], default| {
+            if given.is_empty() {
+                default
+            } else {
+                given.to_vec()
+            }
+        };
+        let ladder = match &self.levels {
+            None => LADDER.to_vec(),
+            Some(ladder) => ladder
+                .as_segments()
+                .ok_or_else(|| {
+                    Failure::Usage(format!(
+                        "--levels: '{ladder}' is a ladder of steps (allowed: numbers of segments)"
+                    ))
+                })?
+                .to_vec(),
+        };
+        Ok(Settings {
+            tables: if self.tables.is_empty() {
+                vec![TableNumber::One, TableNumber::Two]
+            } else {
+                self.tables.clone()
+            },
+            formats: or(&self.formats, vec![FormatName::Mpfr(ORACLE_BITS)]),
+            ladder,
+            seed: self.seed,
+        })
+    }
+
+    fn write(&self, settings: &Settings, entries: &[Entry]) -> Result<(), Failure> {
+        let mut printed = String::new();
+        if !self.quiet {
+            printed += &report::text::reproduction(entries, super::width(), self.color.is_on());
+        }
+        if let Some(directory) = &self.out {
+            let files = report::write_directory(directory, settings, entries)?;
+            if !self.quiet {
+                printed += &format!("{} files in {}\n", files.len(), directory.display());
+            }
+        }
+        if let Some(file) = &self.json {
+            let json = report::json::reproduction(settings, entries)?;
+            if file == Path::new("-") {
+                printed += &json;
+            } else {
+                report::write_file(file, &json)?;
+            }
+        }
+        write_out(&printed)
+    }
+}
+
+/// A bar on the terminal, none where standard error is something else.
+struct Bar(ProgressBar);
+
+impl Bar {
+    fn new(units: u64) -> Self {
+        let bar = ProgressBar::new(units);
+        let template = "{wide_bar} {percent:>3} %, {eta} left";
+        if let Ok(style) = ProgressStyle::with_template(template) {
+            bar.set_style(style);
+        }
+        Bar(bar)
+    }
+}
+
+impl Progress for Bar {
+    fn advance(&self, units: u64) {
+        self.0.inc(units);
+    }
+}

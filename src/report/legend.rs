@@ -1,0 +1,129 @@
+//! The words that reports share: figures, names of entries, what a verdict means.
+
+use crate::convergence::Verdict;
+use crate::study::reproduce::Entry;
+
+/// What stands where there is no figure.
+const NONE: &str = "-";
+
+/// "simpson × boole".
+pub(super) fn name(entry: &Entry) -> String {
+    format!("{} × {}", entry.row, entry.column)
+}
+
+/// The paper's figure, with the digits it prints.
+pub(super) fn paper(entry: &Entry) -> String {
+    two_decimals(entry.paper)
+}
+
+/// What the paper's protocol gives here.
+pub(super) fn protocol(entry: &Entry) -> String {
+    two_decimals(entry.protocol_order)
+}
+
+fn two_decimals(order: Option<f64>) -> String {
+    order.map_or(NONE.into(), |p| format!("{p:.2}"))
+}
+
+/// "4.003 ± 0.009", with a fourth decimal where the third would make the interval 0.
+pub(super) fn order(entry: &Entry) -> String {
+    match (entry.asymptotic_order, entry.asymptotic_half_width) {
+        (Some(order), Some(half_width)) if half_width < 0.0005 => {
+            format!("{order:.4} ± {half_width:.4}")
+        }
+        (Some(order), Some(half_width)) => format!("{order:.3} ± {half_width:.3}"),
+        (Some(order), None) => format!("{order:.3}"),
+        (None, _) => NONE.into(),
+    }
+}
+
+/// "512 … 4096".
+pub(super) fn window(entry: &Entry) -> String {
+    let span = |(first, last)| format!("{first} … {last}");
+    entry.window.map_or(NONE.into(), span)
+}
+
+/// One line, for people who have not read the manual.
+pub(super) fn meaning(verdict: Verdict) -> &'static str {
+    match verdict {
+        Verdict::Confirmed => "the order expected lies in the interval, which is narrow",
+        Verdict::TooLow => "the order lies below the one expected",
+        Verdict::TooHigh => {
+            "the order lies above the one expected: the case does not test the method"
+        }
+        Verdict::PreAsymptotic => "no order yet: finer levels are needed",
+        Verdict::FloorLimited => "roundoff ends the levels before an order shows",
+        Verdict::Exact => "no error above the roundoff floor",
+        Verdict::Stalled => "the error stays where it is: the method does not converge",
+        Verdict::Oscillatory => "the error changes sign where its order should show",
+        Verdict::Diverged => "the error grows as the step shrinks",
+        Verdict::TooFewLevels => "fewer than four levels say nothing",
+        Verdict::NotFinite => "an error is not a finite number",
+        Verdict::Blind => "the case hides the method's leading error: neither passed nor failed",
+        Verdict::Fitted => "an order was found where none was expected",
+    }
+}
+
+/// How often each verdict occurs, the most frequent first, equals in order of appearance.
+pub(super) fn counts(entries: &[Entry]) -> Vec<(Verdict, usize)> {
+    let mut counts: Vec<(Verdict, usize)> = Vec::new();
+    for entry in entries {
+        match counts.iter_mut().find(|(v, _)| *v == entry.verdict) {
+            Some((_, count)) => *count += 1,
+            None => counts.push((entry.verdict, 1)),
+        }
+    }
+    counts.sort_by_key(|(_, count)| std::cmp::Reverse(*count));
+    counts
+}
+
+/// "3 entries: 2 confirmed, 1 stalled".
+pub(super) fn summary(entries: &[Entry]) -> String {
+    let noun = if entries.len() == 1 {
+        "entry"
+    } else {
+        "entries"
+    };
+    let counts: Vec<String> = counts(entries)
+        .into_iter()
+        .map(|(verdict, count)| format!("{count} {verdict}"))
+        .collect();
+    let colon = if counts.is_empty() { "" } else { ": " };
+    format!("{} {noun}{colon}{}", entries.len(), counts.join(", "))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::fixture::entry;
+    use super::*;
+
+    #[test]
+    fn figures_that_are_missing_are_dashes() {
+        let mut e = entry("simpson", "boole");
+        assert_eq!(
+            [name(&e), paper(&e), protocol(&e), order(&e), window(&e)],
+            [
+                "simpson × boole",
+                "4.80",
+                "4.68",
+                "4.000 ± 0.009",
+                "16 … 256"
+            ]
+        );
+        e.asymptotic_half_width = Some(0.00022);
+        assert_eq!(order(&e), "4.0000 ± 0.0002");
+        e.asymptotic_half_width = None;
+        assert_eq!(order(&e), "4.000");
+        (e.paper, e.protocol_order, e.asymptotic_order, e.window) = (None, None, None, None);
+        assert_eq!([paper(&e), protocol(&e), order(&e), window(&e)], ["-"; 4]);
+    }
+
+    #[test]
+    fn summaries_count_verdicts() {
+        let mut entries = vec![entry("a", "b"); 3];
+        entries[0].verdict = Verdict::Stalled;
+        assert_eq!(summary(&entries), "3 entries: 2 confirmed, 1 stalled");
+        assert_eq!(summary(&entries[..1]), "1 entry: 1 stalled");
+        assert_eq!(summary(&[]), "0 entries");
+    }
+}

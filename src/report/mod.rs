@@ -1,0 +1,29 @@
+//! What was measured, for people and programs: one format a file.
+//!
+//! | format | what |
+//! |---|---|
+//! | [`text`] | for the terminal: the paper's figure beside the order, row by row |
+//! | [`markdown`] | the same as a document, with plots |
+//! | [`json`] | everything, for programs |
+//! | [`svg`] | log–log convergence plots |
+//! | [`write_directory`] | all of them as files |
+//!
+//! Nothing here computes an order: a report shows what [`Entry`](crate::study::reproduce::Entry) and
+//! [`Fit`](crate::convergence::Fit) hold.
+
+mod error;
+#[cfg(test)]
+mod fixture;
+mod group;
+pub mod json;
+mod legend;
+pub mod markdown;
+mod preflight;
+pub mod svg;
+pub mod text;
+mod write;
+
+pub use error::ReportError;
+pub use group::{Group, Row, groups};
+pub use preflight::{check_file, prepare_directory};
+pub use write::{write_directory, write_file};

@@ -1,0 +1,52 @@
+//! Log–log convergence plots: |error| against segments, with the slope of every order found.
+//!
+//! Marks stand at levels, filled where the order was fitted; a mark that points down is an error
+//! below 0, so that sign changes show. Logarithms are taken of the numbers themselves: errors below
+//! binary64's range are drawn like any other. Errors that are 0, NaN or infinite have no place on a
+//! logarithmic axis; the curve breaks there, and the legend says the verdict.
+//!
+//! The same measurement gives the same bytes. Text is left to the reader's sans-serif font.
+
+mod area;
+mod axes;
+mod canvas;
+mod curve;
+mod figure;
+mod key;
+mod mark;
+mod of_fit;
+mod panel;
+mod place;
+mod scale;
+mod slopes;
+mod style;
+mod triangle;
+
+use super::{Group, ReportError};
+use crate::convergence::{Fit, Sample};
+
+/// One panel for every row of a table, in it one curve a column. With replicas the curve is their
+/// standard deviation, and |bias| is dashed.
+///
+/// Rows without a single error to draw have no panel; a line of text names them.
+///
+/// # Errors
+///
+/// [`ReportError::Draw`], which no entry is known to cause.
+pub fn table_plot(group: &Group<'_>) -> Result<String, ReportError> {
+    figure::figure(&group.title(), &curve::panels(group))
+}
+
+/// One set of samples, coarse to fine, with its fit.
+///
+/// Against segments n where every sample has n, otherwise against the step.
+///
+/// # Errors
+///
+/// [`ReportError::Draw`], which no sample is known to cause.
+pub fn convergence_plot(samples: &[Sample], fit: &Fit, title: &str) -> Result<String, ReportError> {
+    figure::figure(title, &[of_fit::of_fit(samples, fit)])
+}
+
+#[cfg(test)]
+mod tests;

@@ -1,0 +1,531 @@
+//! Every nested method computes what its definition says, to the last digit: in exact rational
+//! arithmetic, against a second and plainer implementation written from the formulas.
+//!
+//! Polynomial exponentials leave + − × alone, so nothing is rounded on either side and the results
+//! are equal, not close.
+
+#![allow(clippy::unwrap_used)]
+
+use rug::Rational;
+use std::fmt;
+use std::ops::{Add, AddAssign, Div, DivAssign, Mul, MulAssign, Neg, Sub, SubAssign};
+use volver::case::{Case, Fresh, PolynomialTransfer, Structure, Transfer};
+use volver::method::{Exponential, Filling, Inner, Method, Nested, Outer, Scope};
+use volver::quadrature::{Draws, Rule, Sampling};
+use volver::real::{Format, Real};
+
+/// The format without rounding.
+#[derive(Clone, Copy, Debug, PartialEq)]
+struct Exact;
+
+#[derive(Clone, Debug, PartialEq, PartialOrd)]
+struct Number(Rational);
+
+impl fmt::Display for Exact {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str("exact")
+    }
+}
+
+impl fmt::Display for Number {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        self.0.fmt(f)
+    }
+}
+
+impl Neg for Number {
+    type Output = Number;
+    fn neg(self) -> Number {
+        Number(-self.0)
+    }
+}
+
+macro_rules! operator {
+    ($trait:ident, $method:ident, $assign_trait:ident, $assign_method:ident) => {
+        impl<'a> $trait<&'a Number> for Number {
+            type Output = Number;
+            fn $method(self, other: &'a Number) -> Number {
+                Number($trait::$method(self.0, &other.0))
+            }
+        }
+        impl<'a> $assign_trait<&'a Number> for Number {
+            fn $assign_method(&mut self, other: &'a Number) {
+                $assign_trait::$assign_method(&mut self.0, &other.0);
+            }
+        }
+    };
+}
+operator!(Add, add, AddAssign, add_assign);
+operator!(Sub, sub, SubAssign, sub_assign);
+operator!(Mul, mul, MulAssign, mul_assign);
+operator!(Div, div, DivAssign, div_assign);
+
+impl Format for Exact {
+    type Real = Number;
+    /// Decides only how precise the rational tables of Gauss–Legendre rules are.
+    fn bits(self) -> u32 {
+        24
+    }
+    fn int(self, n: i64) -> Number {
+        Number(n.into())
+    }
+    fn ratio(self, q: &Rational) -> Number {
+        Number(q.clone())
+    }
+    fn pi(self) -> Number {
+        unimplemented!("not rational")
+    }
+}
+
+impl Real for Number {
+    type Format = Exact;
+    fn format(&self) -> Exact {
+        Exact
+    }
+    fn set(&mut self, from: &Self) {
+        self.0.clone_from(&from.0);
+    }
+    fn abs(self) -> Self {
+        Number(self.0.abs())
+    }
+    fn sqrt(self) -> Self {
+        unimplemented!("not rational")
+    }
+    fn exp(self) -> Self {
+        unimplemented!("not rational")
+    }
+    fn exp_m1(self) -> Self {
+        unimplemented!("not rational")
+    }
+    fn ln(self) -> Self {
+        unimplemented!("not rational")
+    }
+    fn ln_1p(self) -> Self {
+        unimplemented!("not rational")
+    }
+    fn sin_cos(self) -> (Self, Self) {
+        unimplemented!("not rational")
+    }
+    fn is_finite(&self) -> bool {
+        true
+    }
+    fn to_rational(&self) -> Option<Rational> {
+        Some(self.0.clone())
+    }
+    fn log2_abs(&self) -> f64 {
+        self.0.to_f64().abs().log2()
+    }
+}
+
+/// s = λ, τ = 1 + s, C = 2 − s.
+#[derive(Debug)]
+struct Ramp {
+    length: Rational,
+}
+
+impl Case for Ramp {
+    fn name(&self) -> &'static str {
+        "ramp"
+    }
+    fn length(&self) -> Rational {
+        self.length.clone()
+    }
+    fn field<R: Real>(&self, lambda: &R) -> R {
+        lambda.clone()
+    }
+    fn transfer<R: Real>(&self, s: &R) -> Transfer<R> {
+        Transfer {
+            emission: s.format().int(2) - s,
+            extinction: s.format().int(1) + s,
+        }
+    }
+    fn optical_depth<R: Real>(&self, lambda: &R) -> R {
+        let square = lambda.clone() * lambda;
+        square / &lambda.format().int(2) + lambda
+    }
+    fn radiance<R: Real>(&self, _: &R) -> R {
+        unimplemented!("no method may look at it")
+    }
+    fn structure(&self) -> Structure {
+        Structure {
+            field_degree: Some(1),
+            transfer: Some(PolynomialTransfer {
+                extinction: vec![1.into(), 1.into()],
+                source: vec![2.into(), 1.into(), (-1).into()],
+            }),
+        }
+    }
+}
+
+fn q(numerator: i64, denominator: i64) -> Rational {
+    Rational::from((numerator, denominator))
+}
+
+/// Nodes and weights on [0, 1] as textbooks print them; Gauss–Legendre's are tested by themselves.
+fn textbook(rule: Rule) -> Vec<(Rational, Rational)> {
+    match rule {
+        Rule::RiemannLeft => vec![(q(0, 1), q(1, 1))],
+        Rule::RiemannRight => vec![(q(1, 1), q(1, 1))],
+        Rule::Midpoint => vec![(q(1, 2), q(1, 1))],
+        Rule::Trapezoid => vec![(q(0, 1), q(1, 2)), (q(1, 1), q(1, 2))],
+        Rule::Simpson => vec![(q(0, 1), q(1, 6)), (q(1, 2), q(2, 3)), (q(1, 1), q(1, 6))],
+        Rule::Boole => vec![
+            (q(0, 1), q(7, 90)),
+            (q(1, 4), q(16, 45)),
+            (q(1, 2), q(2, 15)),
+            (q(3, 4), q(16, 45)),
+            (q(1, 1), q(7, 90)),
+        ],
+        Rule::GaussLegendre(_) => {
+            let table = rule.table(Exact.bits()).unwrap();
+            let pairs = table.nodes.iter().zip(&table.weights);
+            pairs.map(|(x, w)| (x.clone(), w.clone())).collect()
+        }
+    }
+}
+
+/// The plain implementation, on the ramp.
+struct Plain {
+    length: Rational,
+    n: u64,
+    inner: Inner,
+    exponential: Exponential,
+    scope: Scope,
+}
+
+impl Plain {
+    fn step(&self) -> Rational {
+        Rational::from(&self.length / self.n)
+    }
+
+    /// λ = (j + x) d.
+    fn place(&self, j: u64, x: &Rational) -> Rational {
+        Rational::from(x + j) * self.step()
+    }
+
+    fn tau(lambda: &Rational) -> Rational {
+        Rational::from(1 + lambda)
+    }
+
+    fn source(lambda: &Rational) -> Rational {
+        Rational::from(2 - lambda) * Self::tau(lambda)
+    }
+
+    /// ∫ τ over the first x of segment j.
+    fn partial_depth(&self, j: u64, x: &Rational) -> Rational {
+        let width = Rational::from(x * self.step());
+        match self.inner {
+            Inner::PerSegment(rule) => {
+                let mean: Rational = textbook(rule)
+                    .into_iter()
+                    .map(|(c, w)| w * Self::tau(&self.place(j, &Rational::from(c * x))))
+                    .sum();
+                mean * width
+            }
+            Inner::SimpsonPairs(filling) => self.pair_depth(filling, j, x),
+            Inner::MonteCarlo { sampling, seed } => match sampling {
+                Sampling::Shared => {
+                    let (from, to) = (self.place(j, &q(0, 1)), self.place(j, x));
+                    let inside = |lambda: &Rational| from <= *lambda && *lambda < to;
+                    let samples = self.uniforms(seed, self.n);
+                    let lambdas = samples.into_iter().map(|u| u * &self.length);
+                    let sum: Rational = lambdas.filter(inside).map(|l| Self::tau(&l)).sum();
+                    sum * self.step()
+                }
+                Sampling::Stratified => {
+                    let seed = if *x == 1 { seed } else { !seed };
+                    let u = self
+                        .uniforms(seed, self.n)
+                        .swap_remove(usize::try_from(j).unwrap());
+                    Self::tau(&self.place(j, &Rational::from(u * x))) * width
+                }
+                Sampling::Independent if *x == 1 => {
+                    let depth =
+                        |i| self.independent_depth(seed, i, &q(i64::try_from(i).unwrap(), 1));
+                    if j == 0 {
+                        depth(1)
+                    } else {
+                        depth(j + 1) - depth(j)
+                    }
+                }
+                Sampling::Independent => {
+                    let whole = self.independent_depth(!seed, j + 1, &Rational::from(x + j));
+                    whole - self.depth(j)
+                }
+            },
+        }
+    }
+
+    /// The `draw`-th estimate of ∫ τ up to λ = position · d, each from n samples on [0, λ].
+    fn independent_depth(&self, seed: u64, draw: u64, position: &Rational) -> Rational {
+        let lambda = Rational::from(position * self.step());
+        let skip = usize::try_from((draw - 1) * self.n).unwrap();
+        let samples = self.uniforms(seed, draw * self.n).split_off(skip);
+        let sum: Rational = samples
+            .iter()
+            .map(|u| Self::tau(&Rational::from(u * &lambda)))
+            .sum();
+        sum * lambda / self.n
+    }
+
+    fn uniforms(&self, seed: u64, count: u64) -> Vec<Rational> {
+        let mut draws = Draws::new(seed, self.n);
+        (0..count).map(|_| draws.next().at(Exact).0).collect()
+    }
+
+    /// From the pair's three values: the parabola through them, integrated by Simpson's rule (which is
+    /// exact for it), or trapezoids; the back segment of a pair has what Simpson leaves.
+    fn pair_depth(&self, filling: Filling, j: u64, x: &Rational) -> Rational {
+        let first = j - j % 2;
+        let value = |k: u64| Self::tau(&self.place(first + k, &q(0, 1)));
+        let parabola = |u: &Rational| -> Rational {
+            let (a, b) = (Rational::from(u - 1_u32), Rational::from(u - 2_u32));
+            value(0) * &a * &b / 2 - value(1) * u * &b + value(2) * u * &a / 2
+        };
+        let simpson = |u: &Rational| -> Rational {
+            let middle = Rational::from(u / 2_u32);
+            (parabola(&q(0, 1)) + parabola(&middle) * 4 + parabola(u)) * u / 6
+        };
+        let trapezoid = |k: u64, x: &Rational| -> Rational {
+            let chord = value(k) + (value(k + 1) - value(k)) * x;
+            (value(k) + chord) * x / 2
+        };
+        let in_steps = match (filling, j % 2) {
+            (Filling::Parabola, 0) => simpson(x),
+            (Filling::Parabola, _) => simpson(&Rational::from(x + 1)) - simpson(&q(1, 1)),
+            (Filling::Trapezoid, 1) if *x == 1 => simpson(&q(2, 1)) - trapezoid(0, x),
+            (Filling::Trapezoid, k) => trapezoid(k, x),
+        };
+        in_steps * self.step()
+    }
+
+    /// ∫ τ up to boundary i.
+    fn depth(&self, i: u64) -> Rational {
+        (0..i).map(|j| self.partial_depth(j, &q(1, 1))).sum()
+    }
+
+    /// 1 − x + x²/2 − x³/6, up to the exponential's degree.
+    fn attenuate(&self, x: &Rational) -> Rational {
+        let square = Rational::from(x.square_ref());
+        let cube = Rational::from(&square * x);
+        let linear = Rational::from(1 - x);
+        match self.exponential {
+            Exponential::Exact => unreachable!("not rational"),
+            Exponential::Linear => linear,
+            Exponential::Quadratic => linear + square / 2,
+            Exponential::Cubic => linear + square / 2 - cube / 6,
+        }
+    }
+
+    /// T at (j + x) d.
+    fn transmittance(&self, j: u64, x: &Rational) -> Rational {
+        let partial = if *x == 0 {
+            q(0, 1)
+        } else {
+            self.partial_depth(j, x)
+        };
+        match self.scope {
+            Scope::Whole => self.attenuate(&(self.depth(j) + partial)),
+            Scope::PerSegment => {
+                let segments = (0..j).map(|k| self.attenuate(&self.partial_depth(k, &q(1, 1))));
+                segments.product::<Rational>() * self.attenuate(&partial)
+            }
+        }
+    }
+
+    /// Panel by panel: a closed rule spans one, two or four segments, an open one a segment.
+    fn radiance(&self, outer: Rule) -> Rational {
+        let span: u64 = match outer {
+            Rule::Simpson => 2,
+            Rule::Boole => 4,
+            _ => 1,
+        };
+        let mut sum = Rational::new();
+        for panel in 0..self.n / span {
+            for (node, weight) in textbook(outer) {
+                // In segments: whole for a closed rule.
+                let place = Rational::from(node * span) + panel * span;
+                let (x, j) = place.fract_floor(rug::Integer::new());
+                let j = j.to_u64().unwrap();
+                let source = Self::source(&self.place(j, &x));
+                sum += weight * source * self.transmittance(j, &x) * span;
+            }
+        }
+        sum * self.step()
+    }
+}
+
+fn by_method(nested: Nested, length: &Rational, n: u64) -> Rational {
+    let case = Ramp {
+        length: length.clone(),
+    };
+    let nodes = Fresh::new(&case, Exact);
+    Method::Nested(nested).radiance(&nodes, n).unwrap().0
+}
+
+const RULES: [Rule; 8] = [
+    Rule::RiemannLeft,
+    Rule::RiemannRight,
+    Rule::Midpoint,
+    Rule::Trapezoid,
+    Rule::Simpson,
+    Rule::Boole,
+    Rule::GaussLegendre(2),
+    Rule::GaussLegendre(3),
+];
+
+const SAMPLINGS: [Sampling; 3] = [
+    Sampling::Shared,
+    Sampling::Independent,
+    Sampling::Stratified,
+];
+
+const POLYNOMIALS: [Exponential; 3] = [
+    Exponential::Linear,
+    Exponential::Quadratic,
+    Exponential::Cubic,
+];
+
+fn compare(inner: Inner, levels: &[u64]) {
+    let length = q(3, 2);
+    for &n in levels {
+        for outer in RULES {
+            if !n.is_multiple_of(Outer(outer).segments_multiple()) {
+                continue;
+            }
+            for exponential in POLYNOMIALS {
+                for scope in [Scope::PerSegment, Scope::Whole] {
+                    let plain = Plain {
+                        length: length.clone(),
+                        n,
+                        inner,
+                        exponential,
+                        scope,
+                    };
+                    let nested = Nested {
+                        inner,
+                        outer: Outer(outer),
+                        exponential,
+                        scope,
+                    };
+                    let (ours, theirs) = (by_method(nested, &length, n), plain.radiance(outer));
+                    assert!(ours == theirs, "{nested} on {n} segments");
+                }
+            }
+        }
+    }
+}
+
+#[test]
+fn rules_on_every_segment() {
+    for rule in RULES {
+        let open = matches!(rule, Rule::GaussLegendre(_));
+        compare(
+            Inner::PerSegment(rule),
+            if open { &[1, 4] } else { &[1, 2, 4, 8] },
+        );
+    }
+}
+
+#[test]
+fn simpson_over_pairs_with_both_fillings() {
+    for filling in [Filling::Parabola, Filling::Trapezoid] {
+        compare(Inner::SimpsonPairs(filling), &[2, 4, 8]);
+    }
+}
+
+#[test]
+fn monte_carlo_with_each_sampling() {
+    for sampling in SAMPLINGS {
+        for seed in [0, 12345] {
+            compare(Inner::MonteCarlo { sampling, seed }, &[1, 2, 4]);
+        }
+    }
+}
+
+/// Worked by hand on [0, 1], where C τ is 2, 9/4, 2 and τ is 1, 3/2, 2 at 0, ½, 1.
+#[test]
+fn values_worked_by_hand() {
+    use Exponential::{Cubic, Linear, Quadratic};
+    use Scope::{PerSegment, Whole};
+    let cases = [
+        // T(1) = 1 − 1 = 0, and the right end is all that is looked at.
+        (
+            Rule::RiemannLeft,
+            Rule::RiemannRight,
+            Linear,
+            PerSegment,
+            1,
+            q(0, 1),
+        ),
+        // T(½) = 1 − ½, T(1) = ½ (1 − ¾): ½ (9/4 · ½ + 2 · ⅛).
+        (
+            Rule::RiemannLeft,
+            Rule::RiemannRight,
+            Linear,
+            PerSegment,
+            2,
+            q(11, 16),
+        ),
+        // The whole depth: T(1) = 1 − 5/4: ½ (9/4 · ½ − 2 · ¼).
+        (
+            Rule::RiemannLeft,
+            Rule::RiemannRight,
+            Linear,
+            Whole,
+            2,
+            q(5, 16),
+        ),
+        // Depth 3/2: T(1) = −½, ½ (2 − 1).
+        (
+            Rule::Trapezoid,
+            Rule::Trapezoid,
+            Linear,
+            PerSegment,
+            1,
+            q(1, 2),
+        ),
+        // T(1) = 1 − 3/2 + 9/8 = 5/8, ½ (2 + 5/4).
+        (
+            Rule::Trapezoid,
+            Rule::Trapezoid,
+            Quadratic,
+            PerSegment,
+            1,
+            q(13, 8),
+        ),
+        // T(1) = 5/8 − 27/48 = 1/16, ½ (2 + ⅛).
+        (Rule::Simpson, Rule::Trapezoid, Cubic, Whole, 1, q(17, 16)),
+        // Depths 5/8 and 7/8: T = 1, ⅜, 3/64; (2 + 4 · 9/4 · ⅜ + 2 · 3/64)/6.
+        (
+            Rule::Trapezoid,
+            Rule::Simpson,
+            Linear,
+            PerSegment,
+            2,
+            q(175, 192),
+        ),
+        // Depth ½ τ(¼) = ⅝ at the middle: 9/4 · ⅜.
+        (
+            Rule::Midpoint,
+            Rule::Midpoint,
+            Linear,
+            PerSegment,
+            1,
+            q(27, 32),
+        ),
+    ];
+    for (inner, outer, exponential, scope, n, expected) in cases {
+        let nested = Nested {
+            inner: Inner::PerSegment(inner),
+            outer: Outer(outer),
+            exponential,
+            scope,
+        };
+        assert_eq!(
+            by_method(nested, &q(1, 1), n),
+            expected,
+            "{nested}, n = {n}"
+        );
+    }
+}
