@@ -10,7 +10,7 @@ use volver::real::FormatName;
 use volver::report;
 use volver::study::Progress;
 use volver::study::reproduce::{
-    Entry, LADDER, ORACLE_BITS, Settings, TableNumber, reproduce, work,
+    Entry, LADDER, ORACLE_BITS, RuleName, Settings, TableNumber, reproduce, work,
 };
 
 const EXAMPLES: &str = "\
@@ -18,6 +18,8 @@ For every entry: the paper's figure, the paper's protocol in binary64 (least
 squares over n = 8 … 1024), the order that exact arithmetic shows with its
 interval, a verdict, and one line wherever paper and order differ.
 
+RULE is riemann, trapezoid, simpson, boole (outer), gauss-3, monte-carlo,
+monte-carlo-independent or monte-carlo-stratified (inner).
 LADDER is a number of levels from n = 8 on (10), a range by doubling (8..4096)
 or by another ratio (9..5000x3), or a list (12,24,48,96). Table 1 has Boole's
 rule, which needs multiples of 4.
@@ -25,6 +27,7 @@ rule, which needs multiples of 4.
 Examples:
   volver reproduce --table 2 --levels 8
   volver reproduce --table 1 --format f32 --format mpfr:256 --levels 8..512
+  volver reproduce --inner simpson --outer boole --levels 8..16384
   volver reproduce --table 1 --levels 6 --json - --quiet";
 
 /// Measure the paper's Tables 1 and 2 again
@@ -34,6 +37,12 @@ pub(crate) struct Reproduce {
     /// Only this table: 1 or 2
     #[arg(long = "table", value_name = "TABLE", value_parser = TableNumber::from_str)]
     tables: Vec<TableNumber>,
+    /// Only rows of Table 1 with this inner rule, repeatable
+    #[arg(long, value_name = "RULE", value_parser = RuleName::from_str)]
+    inner: Vec<RuleName>,
+    /// Only columns of Table 1 with this outer rule, repeatable
+    #[arg(long, value_name = "RULE", value_parser = RuleName::from_str)]
+    outer: Vec<RuleName>,
     /// Format that orders are measured in, repeatable: f16, bf16, f32, f64 or
     /// mpfr:BITS [default: mpfr:128]
     #[arg(long = "format", value_name = "FORMAT", value_parser = FormatName::from_str)]
@@ -83,13 +92,6 @@ impl Reproduce {
     }
 
     fn settings(&self) -> Result<Settings, Failure> {
-        let or = |given: &[_], default| {
-            if given.is_empty() {
-                default
-            } else {
-                given.to_vec()
-            }
-        };
         let ladder = match &self.levels {
             None => LADDER.to_vec(),
             Some(ladder) => ladder
@@ -102,12 +104,19 @@ impl Reproduce {
                 .to_vec(),
         };
         Ok(Settings {
-            tables: if self.tables.is_empty() {
-                vec![TableNumber::One, TableNumber::Two]
-            } else {
-                self.tables.clone()
+            tables: match &self.tables[..] {
+                // Rules belong to Table 1.
+                [] if !self.inner.is_empty() || !self.outer.is_empty() => vec![TableNumber::One],
+                [] => vec![TableNumber::One, TableNumber::Two],
+                tables => tables.to_vec(),
             },
-            formats: or(&self.formats, vec![FormatName::Mpfr(ORACLE_BITS)]),
+            inner: self.inner.clone(),
+            outer: self.outer.clone(),
+            formats: if self.formats.is_empty() {
+                vec![FormatName::Mpfr(ORACLE_BITS)]
+            } else {
+                self.formats.clone()
+            },
             ladder,
             seed: self.seed,
         })

@@ -27,9 +27,14 @@ pub fn prepare_directory(dir: &Path) -> Result<(), ReportError> {
 /// [`ReportError::File`] with the path and the system's reason.
 pub fn check_file(path: &Path) -> Result<(), ReportError> {
     let probe = || -> io::Result<()> {
-        if path.exists() {
-            fs::OpenOptions::new().append(true).open(path)?;
-            return Ok(());
+        match fs::metadata(path) {
+            // Opening a pipe would wait for its reader.
+            Ok(special) if !special.is_file() && !special.is_dir() => return Ok(()),
+            Ok(_) => {
+                fs::OpenOptions::new().append(true).open(path)?;
+                return Ok(());
+            }
+            Err(_) => {}
         }
         match path.parent() {
             Some(parent) if !parent.as_os_str().is_empty() => tempfile::tempfile_in(parent)?,

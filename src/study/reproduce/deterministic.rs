@@ -20,6 +20,9 @@ pub(super) fn entries<C: Case>(
     settings: &Settings,
     progress: &dyn Progress,
 ) -> Result<Vec<Entry>, ReproduceError> {
+    if cells.is_empty() {
+        return Ok(Vec::new());
+    }
     let methods: Vec<Method> = cells.iter().map(|cell| cell.method).collect();
     let oracle = Run::new(
         case,

@@ -8,6 +8,8 @@ use std::fmt::Write;
 
 /// Figures are printed with two decimals.
 const PRINTED: f64 = 0.005;
+/// More than this between paper and protocol is not the protocol's doing.
+const UNEXPLAINED: f64 = 0.02;
 /// A binary64 error that is off by this part of itself has met its roundoff.
 const ROUNDOFF_SHARE: f64 = 0.05;
 
@@ -76,17 +78,18 @@ fn contributions(evidence: &Evidence<'_>, order: f64) -> Option<String> {
         causes.push((roundoff.abs(), text));
     }
     causes.sort_by(|a, b| b.0.total_cmp(&a.0));
-    let text: Vec<String> = causes.into_iter().map(|(_, text)| text).collect();
-    Some(if text.is_empty() {
-        let orders = pairwise(evidence.in_exact);
-        format!(
-            "pre-asymptotic window: pairwise orders {} over n = {}; the paper's last digit",
-            list(&orders),
-            span(evidence.in_exact)
-        )
-    } else {
-        text.join("; ")
-    })
+    let mut texts: Vec<String> = causes.into_iter().map(|(_, text)| text).collect();
+    if let Some(paper) = evidence.paper
+        && (paper - in_binary64).abs() > UNEXPLAINED
+    {
+        texts.push(format!(
+            "this protocol gives {in_binary64:.2}, not the paper's {paper:.2}"
+        ));
+    }
+    if texts.is_empty() {
+        texts.push(pre_asymptotic(evidence, window));
+    }
+    Some(texts.join("; "))
 }
 
 fn pre_asymptotic(evidence: &Evidence<'_>, effect: f64) -> String {

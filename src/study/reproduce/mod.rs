@@ -9,12 +9,13 @@ mod stochastic;
 mod tables;
 
 pub use entry::{Entry, Level};
-pub use tables::{Table, TableError, TableNumber};
+pub use tables::{RuleName, RuleNameError, Table, TableError, TableNumber};
 
+use self::tables::{Cell, Stochastic};
 use super::Progress;
 use crate::case::{Reciprocal, SineSquared};
 use crate::convergence::{FitError, ReplicasError};
-use crate::method::MethodError;
+use crate::method::{Method, MethodError};
 use crate::real::FormatName;
 
 /// Bits of the runs that serve as truth, and in which orders are measured where nothing else is asked
@@ -32,6 +33,10 @@ pub const REPLICAS: usize = 64;
 pub struct Settings {
     /// Which tables.
     pub tables: Vec<TableNumber>,
+    /// The inner rules of Table 1 that are asked for; none asks for all of them.
+    pub inner: Vec<RuleName>,
+    /// The outer rules of Table 1 that are asked for; none asks for all of them.
+    pub outer: Vec<RuleName>,
     /// The formats that orders are measured in, one set of entries each. Monte Carlo always runs in
     /// binary64, whose roundoff is far below its scatter.
     pub formats: Vec<FormatName>,
@@ -45,6 +50,8 @@ impl Default for Settings {
     fn default() -> Self {
         Settings {
             tables: vec![TableNumber::One, TableNumber::Two],
+            inner: Vec::new(),
+            outer: Vec::new(),
             formats: vec![FormatName::Mpfr(ORACLE_BITS)],
             ladder: LADDER.to_vec(),
             seed: 1,
@@ -58,19 +65,36 @@ impl Settings {
     /// # Errors
     /// [`MethodError::Segments`] for the first that does not.
     pub fn check(&self) -> Result<(), MethodError> {
-        let mut methods = Vec::new();
-        if self.tables.contains(&TableNumber::One) {
-            methods.extend(tables::nested().into_iter().map(|cell| cell.method));
-        }
-        if self.tables.contains(&TableNumber::Two) {
-            methods.extend(tables::preintegrated().into_iter().map(|cell| cell.method));
-        }
-        for method in methods {
+        for cell in self.nested().iter().chain(&self.preintegrated()) {
             for &n in &self.ladder {
-                method.check_segments(n)?;
+                cell.method.check_segments(n)?;
             }
         }
         Ok(())
+    }
+
+    fn nested(&self) -> Vec<Cell<Method>> {
+        self.of_table(TableNumber::One, tables::nested)
+    }
+
+    fn monte_carlo(&self) -> Vec<Cell<Stochastic>> {
+        self.of_table(TableNumber::One, tables::monte_carlo)
+    }
+
+    fn preintegrated(&self) -> Vec<Cell<Method>> {
+        if self.tables.contains(&TableNumber::Two) {
+            tables::preintegrated()
+        } else {
+            Vec::new()
+        }
+    }
+
+    fn of_table<M>(&self, table: TableNumber, cells: fn() -> Vec<Cell<M>>) -> Vec<Cell<M>> {
+        if self.tables.contains(&table) {
+            tables::chosen(cells(), &self.inner, &self.outer)
+        } else {
+            Vec::new()
+        }
     }
 }
 
@@ -97,46 +121,27 @@ pub fn reproduce(
     progress: &dyn Progress,
 ) -> Result<Vec<Entry>, ReproduceError> {
     settings.check()?;
-    let mut entries = Vec::new();
-    if settings.tables.contains(&TableNumber::One) {
-        let cells = tables::nested();
-        entries.extend(deterministic::entries(
-            &SineSquared,
-            &cells,
-            settings,
-            progress,
-        )?);
-        let cells = tables::monte_carlo();
-        entries.extend(stochastic::entries(
-            &SineSquared,
-            &cells,
-            settings.seed,
-            progress,
-        )?);
-        entries.sort_by_key(|entry| entry.table);
-    }
-    if settings.tables.contains(&TableNumber::Two) {
-        let cells = tables::preintegrated();
-        entries.extend(deterministic::entries(
-            &Reciprocal,
-            &cells,
-            settings,
-            progress,
-        )?);
-    }
+    let mut entries = deterministic::entries(&SineSquared, &settings.nested(), settings, progress)?;
+    entries.extend(stochastic::entries(
+        &SineSquared,
+        &settings.monte_carlo(),
+        settings.seed,
+        progress,
+    )?);
+    entries.sort_by_key(|entry| entry.table);
+    entries.extend(deterministic::entries(
+        &Reciprocal,
+        &settings.preintegrated(),
+        settings,
+        progress,
+    )?);
     Ok(entries)
 }
 
 /// How many units [`Progress`] will hear of in all.
 #[must_use]
 pub fn work(settings: &Settings) -> u64 {
-    let mut units = 0;
-    if settings.tables.contains(&TableNumber::One) {
-        units += deterministic::work(&tables::nested(), settings);
-        units += stochastic::work();
-    }
-    if settings.tables.contains(&TableNumber::Two) {
-        units += deterministic::work(&tables::preintegrated(), settings);
-    }
-    units
+    deterministic::work(&settings.nested(), settings)
+        + stochastic::work(&settings.monte_carlo())
+        + deterministic::work(&settings.preintegrated(), settings)
 }

@@ -26,6 +26,9 @@ pub(super) fn entries<C: Case>(
     seed: u64,
     progress: &dyn Progress,
 ) -> Result<Vec<Entry>, ReproduceError> {
+    if cells.is_empty() {
+        return Ok(Vec::new());
+    }
     let nodes = Shared::new(case, Native::<f64>::new());
     let radiance = exact_radiance(case, f64::MANTISSA_DIGITS);
     let seeds: Vec<u64> = (0..REPLICAS as u64).map(|r| seed.wrapping_add(r)).collect();
@@ -167,6 +170,10 @@ fn deviation_orders(fit: &StochasticFit) -> Vec<f64> {
 }
 
 /// The units of progress that [`entries`] reports.
-pub(super) fn work() -> u64 {
-    REPLICAS as u64 * UNITS
+pub(super) fn work(cells: &[Cell<Stochastic>]) -> u64 {
+    if cells.is_empty() {
+        0
+    } else {
+        REPLICAS as u64 * UNITS
+    }
 }

@@ -50,6 +50,54 @@ impl Table {
     }
 }
 
+/// An inner or outer rule, as Table 1 names it.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct RuleName(&'static str);
+
+/// Text that names no rule of Table 1.
+#[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
+#[error("unknown rule '{name}' (allowed: {})", RULE_NAMES.join(", "))]
+pub struct RuleNameError {
+    /// The text given.
+    pub name: String,
+}
+
+const RULE_NAMES: [&str; 8] = [
+    "riemann",
+    "trapezoid",
+    "simpson",
+    "boole",
+    "gauss-3",
+    "monte-carlo",
+    "monte-carlo-independent",
+    "monte-carlo-stratified",
+];
+
+impl FromStr for RuleName {
+    type Err = RuleNameError;
+
+    fn from_str(name: &str) -> Result<Self, RuleNameError> {
+        RULE_NAMES
+            .into_iter()
+            .find(|&known| known == name)
+            .map(RuleName)
+            .ok_or_else(|| RuleNameError { name: name.into() })
+    }
+}
+
+/// Keeps the cells whose inner and outer rules are asked for; no name asks for all of them.
+pub(super) fn chosen<M>(
+    cells: Vec<Cell<M>>,
+    inner: &[RuleName],
+    outer: &[RuleName],
+) -> Vec<Cell<M>> {
+    let asked = |names: &[RuleName], name| names.is_empty() || names.contains(&RuleName(name));
+    cells
+        .into_iter()
+        .filter(|cell| asked(inner, cell.row) && asked(outer, cell.column))
+        .collect()
+}
+
 /// Which of the paper's numbered tables.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum TableNumber {
@@ -191,32 +239,33 @@ pub(super) fn nested() -> Vec<Cell<Method>> {
 /// The Monte Carlo entries of Table 1; only the shared sample set is the paper's. With the linear
 /// exponential it is the whole depth that is linearised, as the paper's figures show.
 pub(super) fn monte_carlo() -> Vec<Cell<Stochastic>> {
-    let halves = [
-        (Table::Exact, Exponential::Exact, PAPER_EXACT_MONTE_CARLO),
-        (Table::Linear, Exponential::Linear, PAPER_LINEAR_MONTE_CARLO),
-    ];
+    let exact = (Table::Exact, Exponential::Exact);
+    let linear = (Table::Linear, Exponential::Linear);
     let rows = [
-        ("monte-carlo", Sampling::Shared),
-        ("monte-carlo-independent", Sampling::Independent),
-        ("monte-carlo-stratified", Sampling::Stratified),
+        (exact, Sampling::Shared, Some(PAPER_EXACT_MONTE_CARLO)),
+        (exact, Sampling::Independent, None),
+        (exact, Sampling::Stratified, None),
+        (linear, Sampling::Shared, Some(PAPER_LINEAR_MONTE_CARLO)),
     ];
     let mut cells = Vec::new();
-    for (table, exponential, figures) in halves {
-        for (row, sampling) in rows {
-            for ((column, outer), figure) in OUTER.into_iter().zip(figures) {
-                cells.push(Cell {
-                    table,
-                    row,
-                    column,
-                    paper: Some(figure).filter(|_| sampling == Sampling::Shared),
-                    method: Stochastic {
-                        sampling,
-                        outer: Outer(outer),
-                        exponential,
-                        scope: Scope::Whole,
-                    },
-                });
-            }
+    for ((table, exponential), sampling, figures) in rows {
+        for (index, (column, outer)) in OUTER.into_iter().enumerate() {
+            cells.push(Cell {
+                table,
+                row: match sampling {
+                    Sampling::Shared => "monte-carlo",
+                    Sampling::Independent => "monte-carlo-independent",
+                    Sampling::Stratified => "monte-carlo-stratified",
+                },
+                column,
+                paper: figures.map(|figures: [f64; 4]| figures[index]),
+                method: Stochastic {
+                    sampling,
+                    outer: Outer(outer),
+                    exponential,
+                    scope: Scope::Whole,
+                },
+            });
         }
     }
     cells

@@ -155,7 +155,7 @@ fn samples_are_signed_errors_with_their_floors() {
         let error = Float::with_val(exact_bits, &run.radiances[0][k] - &radiance);
         // The trapezoid rule overestimates a falling convex function.
         assert!(sample.error > 0);
-        assert!(Float::with_val(exact_bits, &sample.error / &error - 1_u32).abs() < 1e-15);
+        assert!((Float::with_val(exact_bits, &sample.error) / error - 1_u32).abs() < 1e-15);
         let floor = unit.clone() * 16_u32 * n;
         assert!((Float::with_val(exact_bits, &sample.floor) / floor - 1_u32).abs() < 1e-15);
 
