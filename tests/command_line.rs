@@ -142,7 +142,7 @@ fn the_examples_of_the_help_run() {
                 .assert()
                 .code(0)
                 .stdout(predicate::str::is_empty().not())
-                .stdout(contains("floor-limited").not())
+                .stdout(contains("FloorLimited").not())
                 .stderr("");
         }
     }

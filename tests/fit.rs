@@ -47,7 +47,7 @@ fn a_table_on_standard_input_is_fitted() {
          window    step 4.0000e-1 to 5.0000e-2, 4 levels, pairwise orders within 0.02\n\
          constant  5.0000e-1 in |e| = c d^p\n\
          floor     unknown\n\
-         verdict   fitted\n\
+         verdict   Fitted\n\
          \n\
          level           n         step         error      order\n    \
              0           -    4.0000e-1     8.0000e-2          -  window\n    \
@@ -70,11 +70,11 @@ fn a_file_gives_the_same_as_standard_input() {
 #[test]
 fn an_expectation_makes_it_a_check() {
     for (expected, verdict, code) in [
-        ("2", "confirmed", 0),
-        ("3", "too-low", 1),
-        ("1", "too-high", 1),
-        ("-1", "too-high", 1),
-        ("exact", "too-low", 1),
+        ("2", "Confirmed", 0),
+        ("3", "TooLow", 1),
+        ("1", "TooHigh", 1),
+        ("-1", "TooHigh", 1),
+        ("exact", "TooLow", 1),
     ] {
         volver(&["fit", "-", "--expect", expected], SECOND_ORDER)
             .assert()
@@ -95,14 +95,14 @@ fn an_expectation_makes_it_a_check() {
 #[test]
 fn what_is_inconclusive_does_not_pass() {
     for (table, verdict) in [
-        ("4,1\n2,.25\n1,.0625", "too-few-levels"),
-        ("8,1\n4,2\n2,4\n1,8", "diverged"),
-        ("8,1\n4,1\n2,1\n1,1", "stalled"),
-        ("8,1\n4,-.25\n2,.0625\n1,-.015625", "oscillatory"),
-        ("8,1\n4,.5\n2,.125\n1,.015", "pre-asymptotic"),
+        ("4,1\n2,.25\n1,.0625", "TooFewLevels"),
+        ("8,1\n4,2\n2,4\n1,8", "Diverged"),
+        ("8,1\n4,1\n2,1\n1,1", "Stalled"),
+        ("8,1\n4,-.25\n2,.0625\n1,-.015625", "Oscillatory"),
+        ("8,1\n4,.5\n2,.125\n1,.015", "PreAsymptotic"),
         (
             "h,e,floor\n8,1,.01\n4,.4,.01\n2,.1,.01\n1,.01,.01",
-            "floor-limited",
+            "FloorLimited",
         ),
     ] {
         for arguments in [&["fit", "-", "--expect", "2"][..], &["fit", "-"]] {
@@ -119,7 +119,7 @@ fn what_is_inconclusive_does_not_pass() {
 fn json_holds_everything_under_its_names() {
     let table = "n,error,floor\n8,.25,1e-9\n16,-.0315,1e-9\n32,-.0079,1e-9\n64,-.00197,1e-9\n128,-.000492,1e-9\n256,1e-9,1e-9\n";
     let document = json(&["fit", "-", "--expect", "2"], table);
-    assert_eq!(document["verdict"], "confirmed");
+    assert_eq!(document["verdict"], "Confirmed");
     assert_eq!(document["passes"], true);
     assert_eq!(document["expected"], 2.0);
     assert_eq!(document["source"], "errors");
@@ -147,7 +147,7 @@ fn json_holds_everything_under_its_names() {
 fn errors_below_binary64_are_strings_in_json_and_count_all_the_same() {
     let table = "8,64e-2000\n4,16e-2000\n2,4e-2000\n1,1e-2000\n";
     let document = json(&["fit", "-", "--expect", "2"], table);
-    assert_eq!(document["verdict"], "confirmed");
+    assert_eq!(document["verdict"], "Confirmed");
     assert_eq!(document["samples"][3]["error"], "1.0000000000000000e-2000");
     volver(&["fit", "-"], table)
         .assert()
@@ -158,18 +158,18 @@ fn errors_below_binary64_are_strings_in_json_and_count_all_the_same() {
 fn exact_values_and_floors_are_taken_from_the_options() {
     let table = "n,value\n4,1.0100\n8,1.0025\n16,1.000625\n32,1.00015625\n";
     let document = json(&["fit", "-", "--exact", "1", "--expect", "2"], table);
-    assert_eq!(document["verdict"], "confirmed");
+    assert_eq!(document["verdict"], "Confirmed");
     assert_eq!(document["source"], "exact");
     assert_eq!(document["floor"], 5e-9);
     assert_eq!(document["floor_source"], "digits");
     let coarse = json(&["fit", "-", "--exact", "1", "--floor", "1e-3"], table);
-    assert_eq!(coarse["verdict"], "exact");
+    assert_eq!(coarse["verdict"], "FloorLimited");
     assert_eq!(coarse["floor_source"], "given");
     let negative = json(
         &["fit", "-", "--exact", "-1"],
         "n,v\n4,1.00\n8,1.00\n16,1.00\n32,1.00\n",
     );
-    assert_eq!(negative["verdict"], "stalled");
+    assert_eq!(negative["verdict"], "Stalled");
     assert_eq!(negative["samples"][0]["error"], 2.0);
 }
 
@@ -191,10 +191,10 @@ fn hundred_digits() -> (String, String) {
 fn a_hundred_digits_are_used() {
     let (table, exact) = hundred_digits();
     let document = json(&["fit", "-", "--exact", &exact, "--expect", "2"], &table);
-    assert_eq!(document["verdict"], "confirmed");
+    assert_eq!(document["verdict"], "Confirmed");
     assert!((number(&document["samples"][0]["error"]) - 7e-90).abs() < 1e-99);
     let document = json(&["fit", "-", "--expect", "2"], &table);
-    assert_eq!(document["verdict"], "confirmed");
+    assert_eq!(document["verdict"], "Confirmed");
     assert_eq!(document["source"], "differences");
     assert!((number(&document["samples"][0]["error"]) / 7e-90 - 1.0).abs() < 1e-6);
 }
@@ -213,7 +213,7 @@ fn differences_are_fitted_on_request_and_by_header() {
         volver(arguments, &table)
             .assert()
             .code(0)
-            .stdout(contains("verdict   confirmed (expected 1)\n"))
+            .stdout(contains("verdict   Confirmed (expected 1)\n"))
             .stdout(contains(
                 "note      from differences alone: the limit itself may be wrong\n",
             ));
@@ -280,7 +280,7 @@ fn unreadable_files_are_named_in_one_line() {
 
 #[test]
 fn colours_show_on_request_only() {
-    let plain = contains("verdict   fitted\n");
+    let plain = contains("verdict   Fitted\n");
     volver(&["fit", "-"], SECOND_ORDER).assert().stdout(plain);
     volver(&["fit", "-", "--color", "never"], SECOND_ORDER)
         .assert()
@@ -298,7 +298,7 @@ fn colours_show_on_request_only() {
     }
     volver(&["fit", "-", "--color", "always"], "2,4\n1,1\n")
         .assert()
-        .stdout(contains("\x1b[33mtoo-few-levels\x1b[0m"));
+        .stdout(contains("\x1b[33mTooFewLevels\x1b[0m"));
 }
 
 #[test]

@@ -213,12 +213,12 @@ impl Plain {
 
     /// ∫ τ over the first x of segment j.
     fn partial_depth(&self, j: u64, x: &Rational) -> Rational {
-        let width = Rational::from(x * self.step());
+        let width = x * self.step();
         match self.inner {
             Inner::PerSegment(rule) => {
                 let mean: Rational = textbook(rule)
                     .into_iter()
-                    .map(|(c, w)| w * Self::tau(&self.place(j, &Rational::from(c * x))))
+                    .map(|(c, w)| w * Self::tau(&self.place(j, &(c * x))))
                     .sum();
                 mean * width
             }
@@ -237,7 +237,7 @@ impl Plain {
                     let u = self
                         .uniforms(seed, self.n)
                         .swap_remove(usize::try_from(j).unwrap());
-                    Self::tau(&self.place(j, &Rational::from(u * x))) * width
+                    Self::tau(&self.place(j, &(u * x))) * width
                 }
                 Sampling::Independent if *x == 1 => {
                     let depth =
@@ -258,7 +258,7 @@ impl Plain {
 
     /// The `draw`-th estimate of ∫ τ up to λ = position · d, each from n samples on [0, λ].
     fn independent_depth(&self, seed: u64, draw: u64, position: &Rational) -> Rational {
-        let lambda = Rational::from(position * self.step());
+        let lambda = position * self.step();
         let skip = usize::try_from((draw - 1) * self.n).unwrap();
         let samples = self.uniforms(seed, draw * self.n).split_off(skip);
         let sum: Rational = samples
@@ -270,7 +270,7 @@ impl Plain {
 
     fn uniforms(&self, seed: u64, count: u64) -> Vec<Rational> {
         let mut draws = Draws::new(seed, self.n);
-        (0..count).map(|_| draws.next().at(Exact).0).collect()
+        (0..count).map(|_| draws.draw().at(Exact).0).collect()
     }
 
     /// From the pair's three values: the parabola through them, integrated by Simpson's rule (which is
@@ -344,7 +344,7 @@ impl Plain {
         for panel in 0..self.n / span {
             for (node, weight) in textbook(outer) {
                 // In segments: whole for a closed rule.
-                let place = Rational::from(node * span) + panel * span;
+                let place = node * span + panel * span;
                 let (x, j) = place.fract_floor(rug::Integer::new());
                 let j = j.to_u64().unwrap();
                 let source = Self::source(&self.place(j, &x));

@@ -60,6 +60,7 @@ fn degrees_and_orders_are_those_of_the_literature() {
 
 #[test]
 fn newton_cotes_rules_are_exact_to_their_degree_and_no_further() {
+    #[expect(clippy::needless_pass_by_value, reason = "quickcheck gives values")]
     fn check(numerators: Vec<i16>, denominator: u8) -> bool {
         NEWTON_COTES.into_iter().all(|rule| {
             let degree = literature_degree(rule);

@@ -103,12 +103,12 @@ fn arithmetic<T: Pattern>(a: u64, b: u64, alike: bool) -> bool {
     };
     let (u, v) = (mpfr.ratio(&p), mpfr.ratio(&q));
     let mut checks = vec![
-        (x + &y, Rational::from(&p + &q), u.clone() + &v),
-        (x - &y, Rational::from(&p - &q), u.clone() - &v),
-        (x * &y, Rational::from(&p * &q), u.clone() * &v),
+        (x + y, Rational::from(&p + &q), u.clone() + &v),
+        (x - y, Rational::from(&p - &q), u.clone() - &v),
+        (x * y, Rational::from(&p * &q), u.clone() * &v),
     ];
     if q != 0 {
-        checks.push((x / &y, p / q, u / &v));
+        checks.push((x / y, p / q, u / &v));
     }
     checks.into_iter().all(|(native, exact, mpfr)| {
         // MPFR has no subnormals and no overflow here: elsewhere it must be the very same number.
@@ -165,8 +165,8 @@ fn ratio_near_a_tie<T: Pattern>(a: u64, hair: u8) -> bool {
     };
     let hair = Rational::from(1) >> (60 + u32::from(hair));
     [
-        Rational::from(&tie * (Rational::from(1) + &hair)),
-        Rational::from(&tie * (Rational::from(1) - &hair)),
+        &tie * (Rational::from(1) + &hair),
+        &tie * (Rational::from(1) - &hair),
         tie,
     ]
     .iter()
@@ -260,7 +260,7 @@ fn the_least_subnormals_half_rounds_to_zero_and_anything_more_to_itself() {
         let format = Native::<T>::new();
         let least = value::<T>(1);
         let half = Rational::from(&least / 2);
-        let more = Rational::from(&half * Rational::from((1_000_001, 1_000_000)));
+        let more = &half * Rational::from((1_000_001, 1_000_000));
         assert_eq!(magnitude(format.ratio(&half)), 0);
         assert_eq!(magnitude(format.ratio(&more)), 1);
         // 3⁄2 of it is a tie between 1 and 2.

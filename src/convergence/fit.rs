@@ -124,6 +124,7 @@ pub fn fit(samples: &[Sample], expected: Option<Expected>) -> Result<Fit, FitErr
             .iter()
             .all(|s| s.error.is_finite() && s.floor.is_finite()),
         all_at_floor: levels.at_floor.iter().all(|at| *at),
+        all_zero: samples.iter().all(|s| s.error.is_zero()),
         beyond: levels.beyond(),
         trend: Trend::of(&levels.points[..levels.usable]),
         late_sign_changes: usable

@@ -61,6 +61,14 @@ mod tests {
     }
 
     #[test]
+    fn three_points_leave_one_degree_of_freedom() {
+        // Slope 0, residuals −1, 2, −1: se = √(6 / 1 / 2).
+        let line = least_squares(&[(0.0, 0.0, 1.0), (1.0, 3.0, 1.0), (2.0, 0.0, 1.0)]).unwrap();
+        assert!(line.slope.abs() < 1e-15 && (line.intercept - 1.0).abs() < 1e-15);
+        assert!((line.slope_error - 3_f64.sqrt()).abs() < 1e-14);
+    }
+
+    #[test]
     fn a_weight_of_two_is_a_point_twice() {
         let twice = [
             (0.0, 1.0, 1.0),

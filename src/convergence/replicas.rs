@@ -91,9 +91,10 @@ pub struct StochasticFit {
 /// `seed` (PCG64; the draws are the same on every platform) and widened by the t-distribution of R − 1 degrees
 /// of freedom and √(R/(R − 1)). On synthetic errors (`replicas/coverage.rs`: seven levels, 1500 trials each)
 /// they held the true order of the standard deviation in 99.9 % or more for normal and uniform errors and in
-/// 99.7 % or more for skewed χ² errors, from 8 replicas up; at 12 replicas and χ² errors plain percentiles
+/// 99.5 % or more for skewed χ² errors, from 8 replicas up; at 12 replicas and χ² errors plain percentiles
 /// held 98.7 %, basic intervals 95.4 %. The bias needs more replicas: 99.1 % at 8 and 99.7 % or more
-/// from 12 up for normal and uniform errors, but for χ² errors 93.3 % at 8 and 98.5 % at 30.
+/// from 12 up for normal and uniform errors, but for χ² errors 93.3 % at 8, 98.5 % at 30
+/// and 99.5 % at 60.
 ///
 /// The verdict is that of the standard deviation against `expected`, by the words of [`Verdict`]: `Confirmed`
 /// where the expected order lies in an interval of half-width ≤ 0.25, `TooLow`, `TooHigh`,

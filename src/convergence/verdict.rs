@@ -20,7 +20,7 @@ pub(super) const NO_CONVERGENCE: f64 = 0.1;
 /// |---|---|---|
 /// | 1 | `NotFinite` | an error or a floor is NaN or infinite |
 /// | 2 | `TooFewLevels` | fewer than 4 levels |
-/// | 3 | `Exact` | every \|e\| ≤ 30·floor (with floor 0: e = 0); `Blind` on a blind case |
+/// | 3 | `Exact`, `FloorLimited` | every \|e\| ≤ 30·floor (with floor 0: e = 0): `Exact` where all errors are 0 or `Exact` is expected, `Blind` on a blind case, otherwise `FloorLimited` |
 /// | 4 | `Diverged` | beyond the floor's cut, errors rise above 30 floors again and grow up to the last level |
 /// | 5 | `Diverged` | a window with order ≤ −0.1; without a window, a trend with net order ≤ −0.1 |
 /// | 6 | `Oscillatory` | a sign change inside the window; without one, two among the last 4 usable levels; `Blind` on a blind case |
@@ -33,7 +33,6 @@ pub(super) const NO_CONVERGENCE: f64 = 0.1;
 /// | 13 | `Confirmed` | the expected order lies within order ± half-width |
 /// | 14 | `TooLow`, `TooHigh` | it lies above, below the interval (`TooLow` where `Exact` was expected) |
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, Serialize)]
-#[serde(rename_all = "kebab-case")]
 pub enum Verdict {
     /// The expected order lies inside the interval, which is narrow enough to mean something.
     Confirmed,
@@ -78,19 +77,19 @@ impl Verdict {
     #[must_use]
     pub fn name(self) -> &'static str {
         match self {
-            Verdict::Confirmed => "confirmed",
-            Verdict::TooLow => "too-low",
-            Verdict::TooHigh => "too-high",
-            Verdict::PreAsymptotic => "pre-asymptotic",
-            Verdict::FloorLimited => "floor-limited",
-            Verdict::Exact => "exact",
-            Verdict::Stalled => "stalled",
-            Verdict::Oscillatory => "oscillatory",
-            Verdict::Diverged => "diverged",
-            Verdict::TooFewLevels => "too-few-levels",
-            Verdict::NotFinite => "not-finite",
-            Verdict::Blind => "blind",
-            Verdict::Fitted => "fitted",
+            Verdict::Confirmed => "Confirmed",
+            Verdict::TooLow => "TooLow",
+            Verdict::TooHigh => "TooHigh",
+            Verdict::PreAsymptotic => "PreAsymptotic",
+            Verdict::FloorLimited => "FloorLimited",
+            Verdict::Exact => "Exact",
+            Verdict::Stalled => "Stalled",
+            Verdict::Oscillatory => "Oscillatory",
+            Verdict::Diverged => "Diverged",
+            Verdict::TooFewLevels => "TooFewLevels",
+            Verdict::NotFinite => "NotFinite",
+            Verdict::Blind => "Blind",
+            Verdict::Fitted => "Fitted",
         }
     }
 }
@@ -160,6 +159,8 @@ pub(super) struct Evidence {
     pub(super) finite: bool,
     /// No level stands above the floor.
     pub(super) all_at_floor: bool,
+    /// Every error is 0.
+    pub(super) all_zero: bool,
     pub(super) beyond: Beyond,
     /// Trend of the usable levels.
     pub(super) trend: Trend,
@@ -179,7 +180,12 @@ pub(super) fn judge(evidence: &Evidence, expected: Option<Expected>) -> Verdict 
         return Verdict::TooFewLevels;
     }
     if evidence.all_at_floor {
-        return unless_blind(Verdict::Exact);
+        // Roundoff may hide an order as well as none; only who expects none may take it for that.
+        return match expected {
+            Some(Expected::Exact) => Verdict::Exact,
+            _ if evidence.all_zero => unless_blind(Verdict::Exact),
+            _ => unless_blind(Verdict::FloorLimited),
+        };
     }
     let (trend, oscillates) = match evidence.estimate {
         Some(e) if e.order <= -NO_CONVERGENCE => (Trend::Growing, e.sign_change),
@@ -254,5 +260,7 @@ pub(super) fn remark_missing_floor(verdict: Verdict, floor_known: bool, notes: &
     }
 }
 
+#[cfg(test)]
+mod limits;
 #[cfg(test)]
 mod tests;

@@ -6,11 +6,11 @@ use serde::Serialize;
 pub(super) const MIN_WINDOW: usize = 4;
 
 /// How closely pairwise orders have to agree with the last one, tried in this order.
-const TOLERANCES: [f64; 3] = [0.02, 0.05, 0.1];
+const TOLERANCES: [f64; 3] = [0.02, 0.05, LOOSEST];
 
-/// At the loosest tolerance, a monotone drift of more than this in total is bias on its way
-/// to another order, not a plateau.
-const MAX_DRIFT: f64 = 0.05;
+/// At this tolerance orders that move one way all along are bias on its way to another order, not a
+/// plateau. They move by more than 0.05 then: otherwise they would agree within 0.05 already.
+const LOOSEST: f64 = 0.1;
 
 /// The levels an order was fitted in.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]
@@ -45,18 +45,13 @@ pub(super) fn find(orders: &[f64]) -> Option<(usize, f64)> {
             (pairs + 1 >= MIN_WINDOW).then_some((pairs, tolerance))
         })
         .filter(|(pairs, tolerance)| {
-            *tolerance <= MAX_DRIFT || !drifts(&orders[orders.len() - pairs..])
+            *tolerance < LOOSEST || !drifts(&orders[orders.len() - pairs..])
         })
 }
 
-/// Do the orders move one way all along, by more than [`MAX_DRIFT`] in total?
+/// Do the orders move one way all along?
 fn drifts(orders: &[f64]) -> bool {
-    let one_way = orders.is_sorted() || orders.iter().rev().is_sorted();
-    let total = match orders {
-        [first, .., last] => (last - first).abs(),
-        _ => 0.0,
-    };
-    one_way && total > MAX_DRIFT
+    orders.is_sorted() || orders.iter().rev().is_sorted()
 }
 
 #[cfg(test)]

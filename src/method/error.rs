@@ -46,7 +46,7 @@ pub enum MethodError {
 
 /// Checks that `n` is a positive multiple of `multiple`.
 pub(super) fn require_multiple(
-    rule: impl ToString,
+    rule: &impl ToString,
     n: u64,
     multiple: u64,
 ) -> Result<(), MethodError> {

@@ -78,7 +78,7 @@ impl Inner {
         nodes: &N,
         n: u64,
     ) -> Result<OpticalDepth<Number<N>>, MethodError> {
-        require_multiple(self, n, self.segments_multiple())?;
+        require_multiple(&self, n, self.segments_multiple())?;
         let zero = nodes.format().int(0);
         match self {
             Inner::PerSegment(rule) => {
@@ -117,7 +117,7 @@ impl Inner {
         offset: &Rational,
         depth: &OpticalDepth<Number<N>>,
     ) -> Result<Vec<Number<N>>, MethodError> {
-        require_multiple(self, n, self.segments_multiple())?;
+        require_multiple(&self, n, self.segments_multiple())?;
         match self {
             Inner::PerSegment(rule) => Ok(segments::partial_depths(rule, nodes, n, offset)?),
             Inner::SimpsonPairs(filling) => Ok(pairs::partial_depths(filling, nodes, n, offset)),

@@ -20,7 +20,7 @@ pub(super) fn radiance<N: Nodes>(
         return None;
     };
     let intervals = method.outer.0.intervals()?;
-    let weights = require_multiple(method.outer.0, n, method.outer.segments_multiple())
+    let weights = require_multiple(&method.outer.0, n, method.outer.segments_multiple())
         .and_then(|()| CompositeWeights::new(method.outer.0, intervals, nodes.format()));
     let weights = match weights {
         Ok(weights) => weights,

@@ -60,9 +60,9 @@ impl Method {
         match self {
             Method::Nested(nested) => {
                 let outer = nested.outer;
-                error::require_multiple(outer, n, outer.segments_multiple())?;
+                error::require_multiple(&outer, n, outer.segments_multiple())?;
                 let inner = nested.inner;
-                error::require_multiple(inner, n, inner.segments_multiple())
+                error::require_multiple(&inner, n, inner.segments_multiple())
             }
             Method::Preintegrated(preintegrated) => {
                 for interpolant in [

@@ -38,7 +38,7 @@ impl Outer {
         attenuation: &Attenuation<'_, N>,
     ) -> Result<Number<N>, MethodError> {
         let (nodes, n) = (attenuation.nodes(), attenuation.segments());
-        require_multiple(self.0, n, self.segments_multiple())?;
+        require_multiple(&self.0, n, self.segments_multiple())?;
         let format = nodes.format();
         let step = format.ratio(&(Rational::from(nodes.length()) / n));
         let sum = match self.0.intervals() {

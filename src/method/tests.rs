@@ -447,6 +447,40 @@ fn levels_that_do_not_suit_a_rule_are_refused() {
     );
 }
 
+/// Asking first tells the same as running.
+#[test]
+fn a_level_is_refused_before_it_is_run_just_as_when_it_is() {
+    let simpson = sub_intervals(1, Rule::Simpson);
+    let random = Inner::MonteCarlo {
+        sampling: Sampling::Stratified,
+        seed: 1,
+    };
+    let exact = |inner, outer| nested(inner, outer, Exponential::Exact, Scope::Whole);
+    let nodes = Fresh::new(&SineSquared, Mpfr { bits: 64 });
+    for method in [
+        rules(Rule::RiemannLeft, Rule::Trapezoid),
+        rules(Rule::Boole, Rule::Simpson),
+        rules(Rule::Trapezoid, Rule::Boole),
+        rules(Rule::Simpson, Rule::GaussLegendre(2)),
+        exact(Inner::SimpsonPairs(Filling::Parabola), Rule::Midpoint),
+        exact(Inner::SimpsonPairs(Filling::Trapezoid), Rule::Boole),
+        exact(random, Rule::Simpson),
+        preintegrated(LINEAR, LINEAR, simpson),
+        preintegrated(QUADRATIC, MIDDLE, simpson),
+        preintegrated(BACKWARD, LINEAR, simpson),
+        preintegrated(LINEAR, BACKWARD, simpson),
+    ] {
+        for n in 0..=8 {
+            let run = method.radiance(&nodes, n).map(drop);
+            assert_eq!(
+                method.check_segments(n).is_ok(),
+                run.is_ok(),
+                "{method}, n = {n}"
+            );
+        }
+    }
+}
+
 #[test]
 fn what_a_case_cannot_give_is_refused() {
     assert_eq!(

@@ -61,7 +61,7 @@ impl Draws {
     }
 
     /// The next number.
-    pub fn next(&mut self) -> Draw {
+    pub fn draw(&mut self) -> Draw {
         Draw {
             numerator: self.generator.next_u64() >> 11,
         }

@@ -117,20 +117,21 @@ fn expm1_and_ln1p_do_not_cancel() {
     assert_eq!(Real::ln_1p(x).to_bits(), x.to_bits());
 }
 
+fn pi_is_nearest<T: NativeFloat>(exact: &Float) {
+    let format = Native::<T>::new();
+    let pi = Float::with_val(format.bits(), exact);
+    assert_eq!(format.pi().to_rational(), pi.to_rational());
+}
+
 #[test]
 fn pi_is_rounded_once() {
     // The first 40 digits of OEIS A000796, far beyond 53 bits.
     let digits = "3.141592653589793238462643383279502884197";
     let exact = Float::with_val(130, Float::parse(digits).unwrap());
-    fn nearest<T: NativeFloat>(exact: &Float) {
-        let format = Native::<T>::new();
-        let pi = Float::with_val(format.bits(), exact);
-        assert_eq!(format.pi().to_rational(), pi.to_rational());
-    }
-    nearest::<f32>(&exact);
-    nearest::<f64>(&exact);
-    nearest::<f16>(&exact);
-    nearest::<bf16>(&exact);
+    pi_is_nearest::<f32>(&exact);
+    pi_is_nearest::<f64>(&exact);
+    pi_is_nearest::<f16>(&exact);
+    pi_is_nearest::<bf16>(&exact);
     let at_100 = Float::from(Mpfr { bits: 100 }.pi());
     assert_eq!(at_100, Float::with_val(100, &exact));
 }

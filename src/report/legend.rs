@@ -77,7 +77,7 @@ pub(super) fn counts(entries: &[Entry]) -> Vec<(Verdict, usize)> {
     counts
 }
 
-/// "3 entries: 2 confirmed, 1 stalled".
+/// "3 entries: 2 Confirmed, 1 Stalled".
 pub(super) fn summary(entries: &[Entry]) -> String {
     let noun = if entries.len() == 1 {
         "entry"
@@ -122,8 +122,8 @@ mod tests {
     fn summaries_count_verdicts() {
         let mut entries = vec![entry("a", "b"); 3];
         entries[0].verdict = Verdict::Stalled;
-        assert_eq!(summary(&entries), "3 entries: 2 confirmed, 1 stalled");
-        assert_eq!(summary(&entries[..1]), "1 entry: 1 stalled");
+        assert_eq!(summary(&entries), "3 entries: 2 Confirmed, 1 Stalled");
+        assert_eq!(summary(&entries[..1]), "1 entry: 1 Stalled");
         assert_eq!(summary(&[]), "0 entries");
     }
 }

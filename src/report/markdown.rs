@@ -208,7 +208,7 @@ mod tests {
 | inner \\\\ outer | trapezoid | boole |
 |---|---|---|
 | **simpson** | 4.000 ± 0.009<br>paper 4.80 | 4.000 ± 0.009<br>paper 4.80 |
-| **monte-carlo** |  | 0.500 ± 0.050<br>paper 0.42<br>*stalled* |
+| **monte-carlo** |  | 0.500 ± 0.050<br>paper 0.42<br>*Stalled* |
 ";
         assert!(text.contains(rows), "{text}");
     }
@@ -217,13 +217,13 @@ mod tests {
     fn entries_and_notes_are_listed_and_escaped() {
         let text = report();
         assert!(text.contains(
-            "| simpson × boole | 4.80 | 4.68 | 4.000 ± 0.009 | 16 … 256 | confirmed |\n"
+            "| simpson × boole | 4.80 | 4.68 | 4.000 ± 0.009 | 16 … 256 | Confirmed |\n"
         ));
         assert!(text.contains("| monte-carlo × boole (64 replicas in f64) | 0.42 |"));
         assert!(text.contains("- **monte-carlo × boole**: a\\|b \\*c\\* \\<d\\>\n"));
         assert!(text.contains("](table-1-exact.svg)\n"));
-        assert!(text.contains("- verdict **confirmed** (2): "));
-        assert!(!text.contains("diverged"));
+        assert!(text.contains("- verdict **Confirmed** (2): "));
+        assert!(!text.contains("Diverged"));
     }
 
     #[test]

@@ -125,7 +125,7 @@ impl Page {
             ),
             (
                 "order",
-                "fitted at the levels n, where it is asymptotic; ± half of its interval. With replicas \
+                "Fitted at the levels n, where it is asymptotic; ± half of its interval. With replicas \
                  it is the standard deviation's; without levels, the last pair's, and ± is a spread",
             ),
         ];
@@ -207,21 +207,21 @@ mod tests {
     #[test]
     fn an_entry_shows_paper_protocol_order_and_verdict() {
         let text = report(false);
-        let expected = "inner: simpson\n  boole        4.80      4.68     4.000 ± 0.009      16 … 256  confirmed *\n";
+        let expected = "inner: simpson\n  boole        4.80      4.68     4.000 ± 0.009      16 … 256  Confirmed *\n";
         assert!(text.contains(expected), "{text}");
         assert!(text.contains("inner: monte-carlo (64 replicas in f64)\n"));
         assert!(text.contains("\n* simpson × boole: pre-asymptotic window (+0.66)"));
-        assert!(text.contains("\nstalled         the error stays"));
-        assert!(!text.contains("diverged"));
-        assert!(text.ends_with("\n2 entries: 1 confirmed, 1 stalled\n"));
+        assert!(text.contains("\nStalled         the error stays"));
+        assert!(!text.contains("Diverged"));
+        assert!(text.ends_with("\n2 entries: 1 Confirmed, 1 Stalled\n"));
         assert!(!text.contains('\u{1b}'));
     }
 
     #[test]
     fn color_adds_escapes_and_nothing_else() {
         let mut plain = report(true);
-        assert!(plain.contains("\u{1b}[32mconfirmed\u{1b}[0m *"));
-        assert!(plain.contains("\u{1b}[31mstalled\u{1b}[0m"));
+        assert!(plain.contains("\u{1b}[32mConfirmed\u{1b}[0m *"));
+        assert!(plain.contains("\u{1b}[31mStalled\u{1b}[0m"));
         for code in [0, 1, 2, 31, 32, 33] {
             plain = plain.replace(&format!("\u{1b}[{code}m"), "");
         }

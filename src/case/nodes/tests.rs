@@ -140,7 +140,7 @@ fn fresh_nodes_count_every_look() {
     assert_eq!(counted(&|| assert_eq!(nodes.march(8).count(), 9)), 9);
     assert_eq!(counted(&|| assert!(nodes.beyond(8) > 0.0)), 1);
     assert_eq!(counted(&|| assert!(nodes.extinction_at(&0.5) > 0.0)), 1);
-    assert_eq!(counted(&|| drop(nodes.transfer(&0.5))), 1);
+    assert_eq!(counted(&|| assert!(nodes.transfer(&0.5).emission > 0.0)), 1);
 }
 
 #[test]

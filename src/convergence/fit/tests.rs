@@ -209,7 +209,7 @@ fn without_a_window_the_last_order_and_its_spread_are_reported() {
 fn a_fit_is_json_without_null_where_a_number_is_known() {
     let fit = fit(&doubling(&[1.0, 0.25, 0.0625, 0.015_625]), None).unwrap();
     let json: serde_json::Value = serde_json::to_value(&fit).unwrap();
-    assert_eq!(json["verdict"], "fitted");
+    assert_eq!(json["verdict"], "Fitted");
     assert_eq!(json["window"]["first"], 0);
     assert_eq!(json["floor"], 0.0);
     assert!((json["order"].as_f64().unwrap() - 2.0).abs() < 1e-12);
@@ -279,4 +279,54 @@ fn steps_one_rounding_apart_give_numbers_all_the_same() {
     assert!(orders(&fit).iter().all(|p| p.is_finite() && *p > 1e14));
     assert!(fit.order.unwrap().is_finite() && fit.half_width.unwrap().is_finite());
     assert!(!fit.verdict.passes(Some(Expected::Order(2.0))));
+}
+
+#[test]
+fn the_t_interval_counts_where_levels_lie_unevenly() {
+    // Two clusters far apart: pairwise orders agree more closely than the points lie on a line.
+    let (ratios, orders) = ([8.0, 1.0, 0.3, 8.0], [1.98825, 2.00785, 2.03275, 2.03255]);
+    let (mut x, mut y) = (vec![0.0_f64], vec![0.0_f64]);
+    for (ratio, order) in ratios.iter().zip(orders) {
+        x.push(x[x.len() - 1] - ratio);
+        y.push(y[y.len() - 1] - order * ratio);
+    }
+    let rows: Vec<(f64, f64, f64)> = x
+        .iter()
+        .zip(&y)
+        .map(|(x, y)| (x.exp2(), y.exp2(), 0.0))
+        .collect();
+    let fit = fit(&samples(&rows), None).unwrap();
+    assert_eq!(fit.window.unwrap().first, 0);
+    let mean = |v: &[f64]| v.iter().sum::<f64>() / 5.0;
+    let (mx, my) = (mean(&x), mean(&y));
+    let sxx: f64 = x.iter().map(|x| (x - mx).powi(2)).sum();
+    let slope = x
+        .iter()
+        .zip(&y)
+        .map(|(x, y)| (x - mx) * (y - my))
+        .sum::<f64>()
+        / sxx;
+    let residual = |(x, y): (&f64, &f64)| (y - my - slope * (x - mx)).powi(2);
+    let squares: f64 = x.iter().zip(&y).map(residual).sum();
+    // t = 3.182446 at 3 degrees of freedom.
+    let half_width = 3.182_446_3 * (squares / 3.0 / sxx).sqrt();
+    assert!((fit.half_width.unwrap() - half_width).abs() < 1e-7);
+}
+
+#[test]
+fn the_rounding_of_logarithms_is_all_that_is_left_of_an_exact_power() {
+    // |e| = 2⁻⁵⁰⁰⁰ d³ at ratios of 4: every logarithm is exact.
+    let power: Vec<Sample> = (1..6_u32)
+        .map(|k| Sample {
+            n: None,
+            step: 0.25_f64.powi(k.cast_signed()),
+            error: Float::with_val(53, 1) >> (5000 + 6 * k),
+            floor: Float::new(53),
+        })
+        .collect();
+    let fit = fit(&power, None).unwrap();
+    assert_eq!((fit.order, fit.log2_constant), (Some(3.0), Some(-5000.0)));
+    // 8 ulps of the largest |log₂ e| + p·|log₂ d|, 5030 + 30, over log₂ 4.
+    let rounding = 8.0 * f64::EPSILON * 5060.0 / 2.0;
+    assert!((fit.half_width.unwrap() / rounding - 1.0).abs() < 1e-12);
 }

@@ -75,7 +75,7 @@ fn shared<N: Nodes>(draws: &mut Draws, nodes: &N, n: u64, offset: &Rational) -> 
     let step = format.ratio(&(Rational::from(nodes.length()) / n));
     let mut segments: Vec<Number<N>> = (0..n).map(|_| format.int(0)).collect();
     for _ in 0..n {
-        let draw = draws.next();
+        let draw = draws.draw();
         let (segment, part) = draw.segment(n);
         if part < *offset {
             let tau = nodes.extinction_at(&(draw.at(format) * &length));
@@ -98,7 +98,7 @@ fn stratified<N: Nodes>(draws: &mut Draws, nodes: &N, n: u64, offset: &Rational)
     (0..n)
         .map(|j| {
             let front = format.fraction(j, n) * &length;
-            let lambda = draws.next().at(format) * &width + &front;
+            let lambda = draws.draw().at(format) * &width + &front;
             nodes.extinction_at(&lambda) * &width
         })
         .collect()
@@ -110,7 +110,7 @@ fn independent<N: Nodes>(draws: &mut Draws, nodes: &N, n: u64, position: &Ration
     let lambda = format.ratio(&Rational::from(position * nodes.length()));
     let mut sum = format.int(0);
     for _ in 0..n {
-        sum += &nodes.extinction_at(&(draws.next().at(format) * &lambda));
+        sum += &nodes.extinction_at(&(draws.draw().at(format) * &lambda));
     }
     sum * &lambda * &format.fraction(1, n)
 }

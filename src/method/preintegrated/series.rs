@@ -31,10 +31,6 @@ pub(super) fn attenuated_integral<R: Real>(source: &[R], depth: &[R]) -> Result<
     if size <= 1.0 {
         return Ok(series(source, depth, size, format));
     }
-    // θ with its constant term, so that it can be shifted.
-    let whole: Vec<R> = std::iter::once(format.int(0))
-        .chain(depth.iter().cloned())
-        .collect();
     #[expect(
         clippy::cast_possible_truncation,
         clippy::cast_sign_loss,
@@ -43,19 +39,25 @@ pub(super) fn attenuated_integral<R: Real>(source: &[R], depth: &[R]) -> Result<
     let pieces = size.ceil() as u64;
     // Fractions, as in binary16 the number of pieces itself may be ∞.
     let scale = format.fraction(1, pieces);
+    // θ with its constant term, so that it can be shifted, and scaled once already: shifted coefficients
+    // of θ itself may exceed the range of a small format.
+    let scaled = depth.iter().map(|c| c.clone() * &scale);
+    let whole: Vec<R> = std::iter::once(format.int(0)).chain(scaled).collect();
     let mut sum = format.int(0);
     let mut transmittance = format.int(1);
     for piece in 0..pieces {
         let origin = format.fraction(piece, pieces);
-        let shifted = shift(&whole, &origin, &scale);
-        let Some((_, inside)) = shifted.split_first() else {
-            break;
-        };
+        let mut inside = shift(&whole, &origin, &format.int(1)).split_off(1);
+        let mut power = scale.clone();
+        for coefficient in inside.iter_mut().skip(1) {
+            *coefficient *= &power;
+            power *= &scale;
+        }
         let size = inside.iter().map(|c| c.log2_abs().exp2()).sum();
         let source = shift(source, &origin, &scale);
-        let part = series(&source, inside, size, format) * &scale;
+        let part = series(&source, &inside, size, format) * &scale;
         sum += &(part * &transmittance);
-        let full = evaluate(inside, &format.int(1));
+        let full = evaluate(&inside, &format.int(1));
         transmittance *= &(-full).exp();
     }
     Ok(sum)
@@ -86,7 +88,7 @@ fn series<R: Real>(source: &[R], depth: &[R], size: f64, format: R::Format) -> R
 /// Σ_{i>m} sizeⁱ/i!, here below 2^−(bits + 8).
 fn terms(size: f64, degree: usize, bits: u32) -> usize {
     let mut log2_term = 0.0;
-    let mut m = 0;
+    let mut m = 0_u32;
     while log2_term > -f64::from(bits + 8) {
         m += 1;
         log2_term += (size / f64::from(m)).log2();

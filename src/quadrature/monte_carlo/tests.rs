@@ -8,7 +8,7 @@ use rug::{Integer, Rational};
 
 fn numerators(seed: u64, n: u64, count: usize) -> Vec<u64> {
     let mut draws = Draws::new(seed, n);
-    (0..count).map(|_| draws.next().numerator).collect()
+    (0..count).map(|_| draws.draw().numerator).collect()
 }
 
 /// From a Python program written after O'Neill (2014), section 6.3.3, whose PCG XSL RR 128/64 gives
@@ -67,7 +67,7 @@ fn draws_are_those_of_an_independent_generator() {
 fn a_draw_is_the_same_number_in_every_format_up_to_one_rounding() {
     let mut draws = Draws::new(7, 16);
     for _ in 0..1000 {
-        let draw = draws.next();
+        let draw = draws.draw();
         let exact = Rational::from((draw.numerator, 1_u64 << 53));
         let value = |x: Option<Rational>| x.unwrap();
         // 53 bits hold it exactly.

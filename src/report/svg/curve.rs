@@ -229,20 +229,20 @@ mod tests {
         stalled.asymptotic_order = Some(-0.2);
         let curve = of_entry(&stalled, 0);
         assert_eq!(curve.slope, None);
-        assert_eq!(curve.legend, "boole stalled");
+        assert_eq!(curve.legend, "boole Stalled");
     }
 
     #[test]
     fn legends_say_what_cannot_be_drawn() {
         assert_eq!(legend("boole", Some(4.0), Verdict::Confirmed), "boole 4.00");
-        assert_eq!(legend("boole", None, Verdict::Exact), "boole exact");
+        assert_eq!(legend("boole", None, Verdict::Exact), "boole Exact");
         assert_eq!(
             legend("boole", None, Verdict::NotFinite),
             "boole not finite"
         );
         assert_eq!(
             legend("boole", Some(2.5), Verdict::TooLow),
-            "boole 2.50 too-low"
+            "boole 2.50 TooLow"
         );
     }
 }

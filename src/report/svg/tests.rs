@@ -146,7 +146,7 @@ fn rows_without_a_finite_error_have_no_panel() {
     }
     entries[2].verdict = Verdict::NotFinite;
     let svg = table_plot(&groups(&entries)[0]).unwrap();
-    assert!(svg.contains("inner: gauss-3: no finite, nonzero error to draw (boole exact)"));
+    assert!(svg.contains("inner: gauss-3: no finite, nonzero error to draw (boole Exact)"));
     assert!(svg.contains("boole not finite"));
     assert_eq!(svg.matches("segments n").count(), 2);
 }
@@ -157,8 +157,8 @@ fn nothing_to_draw_is_said() {
     for sample in &mut samples {
         sample.error = Float::new(53);
     }
-    assert!(plot(&samples).contains("no finite, nonzero error to draw (order exact)"));
-    assert!(plot(&[]).contains("too-few-levels"));
+    assert!(plot(&samples).contains("no finite, nonzero error to draw (order Exact)"));
+    assert!(plot(&[]).contains("TooFewLevels"));
 }
 
 #[test]

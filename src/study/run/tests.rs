@@ -95,7 +95,7 @@ fn table_2() -> Vec<Method> {
     methods
 }
 
-/// |Q_b − Q_2b| never exceeds the floor that a run without an oracle reports.
+/// What rounding does at `bits` never exceeds the floor that a run without an oracle reports.
 fn the_floor_bounds_rounding<C: Case>(case: &C, methods: &[Method], bits: u32, levels: &[u64]) {
     let at = |bits| Run::new(case, Mpfr { bits }, methods, levels, &Silent).unwrap();
     let (run, oracle) = (at(bits), at(2 * bits + 64));
@@ -185,7 +185,7 @@ fn the_floor_is_never_below_a_rounding_of_the_radiance() {
         .map(|sample| sample.floor)
         .collect();
     assert!(floors.iter().all(|floor| *floor >= unit));
-    assert!(floors.iter().any(|floor| *floor == unit));
+    assert!(floors.contains(&unit));
     assert!(floors.iter().any(|floor| *floor > unit));
 }
 
