@@ -286,8 +286,8 @@ fn colours_show_on_request_only() {
         .assert()
         .stdout(contains("\x1b").not());
     for (expected, painted) in [
-        ("2", "\x1b[32mconfirmed\x1b[0m"),
-        ("3", "\x1b[31mtoo-low\x1b[0m"),
+        ("2", "\x1b[32mConfirmed\x1b[0m"),
+        ("3", "\x1b[31mTooLow\x1b[0m"),
     ] {
         volver(
             &["fit", "-", "--color", "always", "--expect", expected],

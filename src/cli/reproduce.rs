@@ -3,6 +3,7 @@
 use super::{Color, Failure, Outcome, write_out};
 use clap::Args;
 use indicatif::{ProgressBar, ProgressStyle};
+use std::fmt::Write;
 use std::path::{Path, PathBuf};
 use std::str::FromStr;
 use volver::convergence::Ladder;
@@ -130,7 +131,7 @@ impl Reproduce {
         if let Some(directory) = &self.out {
             let files = report::write_directory(directory, settings, entries)?;
             if !self.quiet {
-                printed += &format!("{} files in {}\n", files.len(), directory.display());
+                let _ = writeln!(printed, "{} files in {}", files.len(), directory.display());
             }
         }
         if let Some(file) = &self.json {

@@ -2,15 +2,15 @@
 
 /// y ≈ intercept + slope·x.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(super) struct Line {
-    pub(super) slope: f64,
-    pub(super) intercept: f64,
+pub(crate) struct Line {
+    pub(crate) slope: f64,
+    pub(crate) intercept: f64,
     /// Standard error of the slope from the residuals; 0 for two points.
-    pub(super) slope_error: f64,
+    pub(crate) slope_error: f64,
 }
 
 /// Fits a line to (x, y, weight); `None` for fewer than two points, or where the x do not differ.
-pub(super) fn least_squares(points: &[(f64, f64, f64)]) -> Option<Line> {
+pub(crate) fn least_squares(points: &[(f64, f64, f64)]) -> Option<Line> {
     let total: f64 = points.iter().map(|p| p.2).sum();
     let mean_x = points.iter().map(|p| p.2 * p.0).sum::<f64>() / total;
     let mean_y = points.iter().map(|p| p.2 * p.1).sum::<f64>() / total;

@@ -33,7 +33,7 @@ mod bootstrap;
 mod decimal;
 mod fit;
 mod ladder;
-mod line;
+pub(crate) mod line;
 mod note;
 #[cfg(test)]
 mod random;

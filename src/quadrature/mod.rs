@@ -1,4 +1,4 @@
-//! Quadrature rules: each yields nodes and weights on the unit interval at a [`Format`], and knows its order.
+//! Quadrature rules: each yields nodes and weights on the unit interval for a number of bits, and knows its order.
 
 mod gauss_legendre;
 mod monte_carlo;

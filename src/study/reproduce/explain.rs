@@ -128,7 +128,7 @@ fn transition_note(evidence: &Evidence<'_>) -> Option<String> {
         .filter(|&order| order > low)
         .reduce(f64::min)?;
     let by_sub_integration = orders()
-        .filter(|limit| limit.order == low)
+        .filter(|limit| limit.order <= low)
         .all(|limit| limit.part == Part::SubIntervals);
     let measured = pairwise(evidence.samples);
     let highest = measured.iter().copied().reduce(f64::max)?;

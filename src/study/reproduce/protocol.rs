@@ -1,6 +1,7 @@
 //! The paper's protocol: what a study without windows or floors reports.
 
 use crate::convergence::Sample;
+use crate::convergence::line::least_squares;
 use crate::real::{MpfrReal, Real};
 
 /// The levels n of the paper's protocol.
@@ -21,10 +22,6 @@ pub(super) fn order(samples: &[Sample]) -> Option<f64> {
 
 /// The slope of the least-squares line through (x, y).
 pub(super) fn slope(points: &[(f64, f64)]) -> Option<f64> {
-    let count = points.len() as f64;
-    let mean_x = points.iter().map(|p| p.0).sum::<f64>() / count;
-    let mean_y = points.iter().map(|p| p.1).sum::<f64>() / count;
-    let xx: f64 = points.iter().map(|p| (p.0 - mean_x).powi(2)).sum();
-    let xy: f64 = points.iter().map(|p| (p.0 - mean_x) * (p.1 - mean_y)).sum();
-    Some(xy / xx).filter(|slope| slope.is_finite())
+    let alike: Vec<_> = points.iter().map(|&(x, y)| (x, y, 1.0)).collect();
+    least_squares(&alike).map(|line| line.slope)
 }
