@@ -9,7 +9,7 @@ mod structure;
 mod tests;
 
 pub use homogeneous_slab::HomogeneousSlab;
-pub use nodes::{Column, Fresh, Nodes, Shared};
+pub use nodes::{Column, Fresh, Nodes, Number, Shared};
 pub use reciprocal::{Reciprocal, ReciprocalSquare};
 pub use sine_squared::SineSquared;
 pub use structure::{PolynomialTransfer, Structure};

@@ -77,4 +77,5 @@ pub trait Nodes: Sync {
     fn polynomial_transfer(&self) -> Option<&PolynomialTransfer>;
 }
 
-type Number<N> = <<N as Nodes>::Format as Format>::Real;
+/// The numbers that such nodes are evaluated in.
+pub type Number<N> = <<N as Nodes>::Format as Format>::Real;

@@ -7,7 +7,7 @@ mod segments;
 pub use pairs::Filling;
 
 use super::error::{MethodError, require_multiple};
-use crate::case::Nodes;
+use crate::case::{Nodes, Number};
 use crate::quadrature::{Rule, Sampling};
 use crate::real::{Format, Real};
 use rug::Rational;
@@ -65,8 +65,6 @@ impl<R: Real> OpticalDepth<R> {
         }
     }
 }
-
-type Number<N> = <<N as Nodes>::Format as Format>::Real;
 
 impl Inner {
     /// The optical depth of every segment and up to every boundary.

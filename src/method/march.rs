@@ -1,10 +1,9 @@
 //! Ray marching: nested rules that look at boundaries alone, in one pass and constant memory.
 
 use super::error::{MethodError, require_multiple};
-use super::nested::Number;
 use super::outer::CompositeWeights;
-use super::{Inner, Nested, Scope};
-use crate::case::Nodes;
+use super::{Exponential, Inner, Outer, Scope};
+use crate::case::{Nodes, Number};
 use crate::quadrature::Rule;
 use crate::real::Format;
 use rug::Rational;
@@ -12,26 +11,30 @@ use rug::Rational;
 /// The radiance by marching, with the same bits as from columns of nodes; `None` where one of the
 /// rules looks inside segments or at more than one of them.
 pub(super) fn radiance<N: Nodes>(
-    method: &Nested,
+    inner: Inner,
+    outer: Outer,
+    exponential: Exponential,
+    scope: Scope,
     nodes: &N,
     n: u64,
 ) -> Option<Result<Number<N>, MethodError>> {
-    let Inner::PerSegment(rule) = method.inner else {
+    let Inner::PerSegment(rule) = inner else {
         return None;
     };
-    let intervals = method.outer.0.intervals()?;
-    let weights = require_multiple(&method.outer.0, n, method.outer.segments_multiple())
-        .and_then(|()| CompositeWeights::new(method.outer.0, intervals, nodes.format()));
+    let intervals = outer.0.intervals()?;
+    let weights = require_multiple(&outer.0, n, outer.segments_multiple())
+        .and_then(|()| CompositeWeights::new(outer.0, intervals, nodes.format()));
     let weights = match weights {
         Ok(weights) => weights,
         Err(error) => return Some(Err(error)),
     };
+    let how = (exponential, scope);
     let half = nodes.format().fraction(1, 2);
     // One loop a rule: a choice inside the loop would cost as much as the rule itself.
     Some(Ok(match rule {
-        Rule::RiemannLeft => march(method, nodes, n, &weights, |front, _| front),
-        Rule::RiemannRight => march(method, nodes, n, &weights, |_, back| back.clone()),
-        Rule::Trapezoid => march(method, nodes, n, &weights, |front, back| {
+        Rule::RiemannLeft => march(how, nodes, n, &weights, |front, _| front),
+        Rule::RiemannRight => march(how, nodes, n, &weights, |_, back| back.clone()),
+        Rule::Trapezoid => march(how, nodes, n, &weights, |front, back| {
             front * &half + &(back.clone() * &half)
         }),
         _ => return None,
@@ -41,28 +44,27 @@ pub(super) fn radiance<N: Nodes>(
 /// `mean` gives a segment's mean extinction from the values at its front and its back.
 #[inline]
 fn march<N: Nodes>(
-    method: &Nested,
+    (exponential, scope): (Exponential, Scope),
     nodes: &N,
     n: u64,
-    outer: &CompositeWeights<Number<N>>,
+    weights: &CompositeWeights<Number<N>>,
     mean: impl Fn(Number<N>, &Number<N>) -> Number<N>,
 ) -> Number<N> {
     let format = nodes.format();
     let step = format.ratio(&(Rational::from(nodes.length()) / n));
     let segment = |front, back: &Number<N>| mean(front, back) * &step;
-    let exponential = method.exponential;
-    let radiance = match method.scope {
+    let radiance = match scope {
         Scope::Whole => {
             let mut depth = format.int(0);
             let start = exponential.of_negative(&depth);
-            accumulate(nodes, n, outer, start, |front, back, transmittance| {
+            accumulate(nodes, n, weights, start, |front, back, transmittance| {
                 depth += &segment(front, back);
                 *transmittance = exponential.of_negative(&depth);
             })
         }
         Scope::PerSegment => {
             let start = format.int(1);
-            accumulate(nodes, n, outer, start, |front, back, transmittance| {
+            accumulate(nodes, n, weights, start, |front, back, transmittance| {
                 *transmittance *= &exponential.of_negative(&segment(front, back));
             })
         }

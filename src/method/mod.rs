@@ -1,5 +1,6 @@
 //! Ways to approximate the volume rendering integral; each states its orders and their source.
 
+mod attenuation;
 mod error;
 mod expected;
 mod exponential;
@@ -12,19 +13,19 @@ mod preintegrated;
 #[cfg(test)]
 mod tests;
 
+pub use attenuation::Attenuation;
 pub use error::MethodError;
 pub use expected::Expected;
 pub use exponential::{Exponential, Scope};
 pub use inner::{Filling, Inner, OpticalDepth};
 pub use limit::{Limit, Part};
-pub use nested::{Attenuation, Nested};
+pub use nested::Nested;
 pub use outer::Outer;
 pub use preintegrated::{
     Color, Integration, Interpolant, LastSegment, Opacity, Preintegrated, composite,
 };
 
-use crate::case::{Case, Nodes};
-use crate::real::Format;
+use crate::case::{Case, Nodes, Number};
 use std::fmt;
 
 /// A way to approximate the volume rendering integral.
@@ -41,11 +42,7 @@ impl Method {
     ///
     /// # Errors
     /// [`MethodError`] where n does not suit the method, or the case lacks what the method needs.
-    pub fn radiance<N: Nodes>(
-        &self,
-        nodes: &N,
-        n: u64,
-    ) -> Result<<N::Format as Format>::Real, MethodError> {
+    pub fn radiance<N: Nodes>(&self, nodes: &N, n: u64) -> Result<Number<N>, MethodError> {
         match self {
             Method::Nested(nested) => nested.radiance(nodes, n),
             Method::Preintegrated(preintegrated) => preintegrated.radiance(nodes, n),

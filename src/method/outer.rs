@@ -1,8 +1,8 @@
 //! The outer integral: the source term under the transmittance.
 
+use super::Attenuation;
 use super::error::{MethodError, require_multiple};
-use super::nested::{Attenuation, Number};
-use crate::case::{Column, Nodes};
+use crate::case::{Column, Nodes, Number};
 use crate::quadrature::Rule;
 use crate::real::{Format, Real};
 use rug::Rational;

@@ -1,6 +1,7 @@
 //! Pre-integration: each segment's emission and opacity integrated along an interpolated field.
 
 mod color;
+mod integration;
 mod interpolant;
 mod opacity;
 mod polynomial;
@@ -8,13 +9,13 @@ mod series;
 #[cfg(test)]
 mod tests;
 
-pub use color::{Color, Integration};
+pub use color::Color;
+pub use integration::Integration;
 pub use interpolant::{Interpolant, LastSegment};
 pub use opacity::Opacity;
 
-use super::nested::Number;
 use super::{Limit, MethodError};
-use crate::case::{Nodes, Structure};
+use crate::case::{Nodes, Number, Structure};
 use crate::real::{Format, Real};
 use std::fmt;
 

@@ -1,15 +1,12 @@
 //! All methods at one level: what they have in common is computed once.
 
-use crate::case::Nodes;
+use crate::case::{Nodes, Number};
 use crate::method::{
     Attenuation, Color, Exponential, Inner, Method, MethodError, Nested, Opacity, Preintegrated,
     Scope, composite,
 };
-use crate::real::Format;
 use std::collections::HashMap;
 use std::collections::hash_map::Entry;
-
-type Number<N> = <<N as Nodes>::Format as Format>::Real;
 
 /// One ray of n segments, under any number of methods.
 ///

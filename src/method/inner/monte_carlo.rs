@@ -1,7 +1,7 @@
 //! The optical depth from random samples.
 
-use super::{Number, OpticalDepth};
-use crate::case::Nodes;
+use super::OpticalDepth;
+use crate::case::{Nodes, Number};
 use crate::quadrature::{Draws, Sampling};
 use crate::real::Format;
 use rug::Rational;

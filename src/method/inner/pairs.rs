@@ -1,7 +1,6 @@
 //! Simpson's rule over pairs of segments, with two ways to fill the odd boundaries.
 
-use super::Number;
-use crate::case::Nodes;
+use crate::case::{Nodes, Number};
 use crate::real::{Format, Real};
 use rug::Rational;
 use std::fmt;

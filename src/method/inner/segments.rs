@@ -1,7 +1,6 @@
 //! A rule on every segment by itself.
 
-use super::Number;
-use crate::case::Nodes;
+use crate::case::{Nodes, Number};
 use crate::quadrature::{Rule, RuleError};
 use crate::real::Format;
 use rug::Rational;

@@ -1,8 +1,7 @@
 //! The field along a segment, as a polynomial in x ∈ [0, 1].
 
-use crate::case::{Nodes, Structure};
+use crate::case::{Nodes, Number, Structure};
 use crate::method::error::MethodError;
-use crate::method::nested::Number;
 use crate::real::{Format, Real};
 use rug::Rational;
 use std::fmt;

@@ -1,12 +1,11 @@
 //! α̃: the transmittance of each segment of the interpolated field.
 
-use super::color::Integration;
+use super::integration::Integration;
 use super::interpolant::Interpolant;
 use super::polynomial::{antiderivative, compose, evaluate};
-use crate::case::{Nodes, Structure};
+use crate::case::{Nodes, Number, Structure};
 use crate::method::MethodError;
 use crate::method::limit::{Limit, Part};
-use crate::method::nested::Number;
 use crate::quadrature::Rule;
 use crate::real::{Format, Real};
 use rug::Rational;
