@@ -1,126 +1,16 @@
-//! Every nested method computes what its definition says, to the last digit: in exact rational
-//! arithmetic, against a second and plainer implementation written from the formulas.
-//!
-//! Polynomial exponentials leave + − × alone, so nothing is rounded on either side and the results
-//! are equal, not close.
+//! The second implementation: formulas written down one by one, for a medium without transcendentals.
 
-#![allow(clippy::unwrap_used)]
-
+use super::exact::Exact;
 use rug::Rational;
-use std::fmt;
-use std::ops::{Add, AddAssign, Div, DivAssign, Mul, MulAssign, Neg, Sub, SubAssign};
-use volver::case::{Case, Fresh, PolynomialTransfer, Structure, Transfer};
-use volver::method::{Exponential, Filling, Inner, Method, Nested, Outer, Scope};
+use volver::case::{Case, PolynomialTransfer, Structure, Transfer};
+use volver::method::{Exponential, Filling, Inner, Scope};
 use volver::quadrature::{Draws, Rule, Sampling};
 use volver::real::{Format, Real};
 
-/// The format without rounding.
-#[derive(Clone, Copy, Debug, PartialEq)]
-struct Exact;
-
-#[derive(Clone, Debug, PartialEq, PartialOrd)]
-struct Number(Rational);
-
-impl fmt::Display for Exact {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.write_str("exact")
-    }
-}
-
-impl fmt::Display for Number {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        self.0.fmt(f)
-    }
-}
-
-impl Neg for Number {
-    type Output = Number;
-    fn neg(self) -> Number {
-        Number(-self.0)
-    }
-}
-
-macro_rules! operator {
-    ($trait:ident, $method:ident, $assign_trait:ident, $assign_method:ident) => {
-        impl<'a> $trait<&'a Number> for Number {
-            type Output = Number;
-            fn $method(self, other: &'a Number) -> Number {
-                Number($trait::$method(self.0, &other.0))
-            }
-        }
-        impl<'a> $assign_trait<&'a Number> for Number {
-            fn $assign_method(&mut self, other: &'a Number) {
-                $assign_trait::$assign_method(&mut self.0, &other.0);
-            }
-        }
-    };
-}
-operator!(Add, add, AddAssign, add_assign);
-operator!(Sub, sub, SubAssign, sub_assign);
-operator!(Mul, mul, MulAssign, mul_assign);
-operator!(Div, div, DivAssign, div_assign);
-
-impl Format for Exact {
-    type Real = Number;
-    /// Decides only how precise the rational tables of Gauss–Legendre rules are.
-    fn bits(self) -> u32 {
-        24
-    }
-    fn int(self, n: i64) -> Number {
-        Number(n.into())
-    }
-    fn ratio(self, q: &Rational) -> Number {
-        Number(q.clone())
-    }
-    fn pi(self) -> Number {
-        unimplemented!("not rational")
-    }
-}
-
-impl Real for Number {
-    type Format = Exact;
-    fn format(&self) -> Exact {
-        Exact
-    }
-    fn set(&mut self, from: &Self) {
-        self.0.clone_from(&from.0);
-    }
-    fn abs(self) -> Self {
-        Number(self.0.abs())
-    }
-    fn sqrt(self) -> Self {
-        unimplemented!("not rational")
-    }
-    fn exp(self) -> Self {
-        unimplemented!("not rational")
-    }
-    fn exp_m1(self) -> Self {
-        unimplemented!("not rational")
-    }
-    fn ln(self) -> Self {
-        unimplemented!("not rational")
-    }
-    fn ln_1p(self) -> Self {
-        unimplemented!("not rational")
-    }
-    fn sin_cos(self) -> (Self, Self) {
-        unimplemented!("not rational")
-    }
-    fn is_finite(&self) -> bool {
-        true
-    }
-    fn to_rational(&self) -> Option<Rational> {
-        Some(self.0.clone())
-    }
-    fn log2_abs(&self) -> f64 {
-        self.0.to_f64().abs().log2()
-    }
-}
-
 /// s = λ, τ = 1 + s, C = 2 − s.
 #[derive(Debug)]
-struct Ramp {
-    length: Rational,
+pub(crate) struct Ramp {
+    pub(crate) length: Rational,
 }
 
 impl Case for Ramp {
@@ -157,7 +47,7 @@ impl Case for Ramp {
     }
 }
 
-fn q(numerator: i64, denominator: i64) -> Rational {
+pub(crate) fn q(numerator: i64, denominator: i64) -> Rational {
     Rational::from((numerator, denominator))
 }
 
@@ -185,12 +75,12 @@ fn textbook(rule: Rule) -> Vec<(Rational, Rational)> {
 }
 
 /// The plain implementation, on the ramp.
-struct Plain {
-    length: Rational,
-    n: u64,
-    inner: Inner,
-    exponential: Exponential,
-    scope: Scope,
+pub(crate) struct Plain {
+    pub(crate) length: Rational,
+    pub(crate) n: u64,
+    pub(crate) inner: Inner,
+    pub(crate) exponential: Exponential,
+    pub(crate) scope: Scope,
 }
 
 impl Plain {
@@ -334,7 +224,7 @@ impl Plain {
     }
 
     /// Panel by panel: a closed rule spans one, two or four segments, an open one a segment.
-    fn radiance(&self, outer: Rule) -> Rational {
+    pub(crate) fn radiance(&self, outer: Rule) -> Rational {
         let span: u64 = match outer {
             Rule::Simpson => 2,
             Rule::Boole => 4,
@@ -352,180 +242,5 @@ impl Plain {
             }
         }
         sum * self.step()
-    }
-}
-
-fn by_method(nested: Nested, length: &Rational, n: u64) -> Rational {
-    let case = Ramp {
-        length: length.clone(),
-    };
-    let nodes = Fresh::new(&case, Exact);
-    Method::Nested(nested).radiance(&nodes, n).unwrap().0
-}
-
-const RULES: [Rule; 8] = [
-    Rule::RiemannLeft,
-    Rule::RiemannRight,
-    Rule::Midpoint,
-    Rule::Trapezoid,
-    Rule::Simpson,
-    Rule::Boole,
-    Rule::GaussLegendre(2),
-    Rule::GaussLegendre(3),
-];
-
-const SAMPLINGS: [Sampling; 3] = [
-    Sampling::Shared,
-    Sampling::Independent,
-    Sampling::Stratified,
-];
-
-const POLYNOMIALS: [Exponential; 3] = [
-    Exponential::Linear,
-    Exponential::Quadratic,
-    Exponential::Cubic,
-];
-
-fn compare(inner: Inner, levels: &[u64]) {
-    let length = q(3, 2);
-    for &n in levels {
-        for outer in RULES {
-            if !n.is_multiple_of(Outer(outer).segments_multiple()) {
-                continue;
-            }
-            for exponential in POLYNOMIALS {
-                for scope in [Scope::PerSegment, Scope::Whole] {
-                    let plain = Plain {
-                        length: length.clone(),
-                        n,
-                        inner,
-                        exponential,
-                        scope,
-                    };
-                    let nested = Nested {
-                        inner,
-                        outer: Outer(outer),
-                        exponential,
-                        scope,
-                    };
-                    let (ours, theirs) = (by_method(nested, &length, n), plain.radiance(outer));
-                    assert!(ours == theirs, "{nested} on {n} segments");
-                }
-            }
-        }
-    }
-}
-
-#[test]
-fn rules_on_every_segment() {
-    for rule in RULES {
-        let open = matches!(rule, Rule::GaussLegendre(_));
-        compare(
-            Inner::PerSegment(rule),
-            if open { &[1, 4] } else { &[1, 2, 4, 8] },
-        );
-    }
-}
-
-#[test]
-fn simpson_over_pairs_with_both_fillings() {
-    for filling in [Filling::Parabola, Filling::Trapezoid] {
-        compare(Inner::SimpsonPairs(filling), &[2, 4, 8]);
-    }
-}
-
-#[test]
-fn monte_carlo_with_each_sampling() {
-    for sampling in SAMPLINGS {
-        for seed in [0, 12345] {
-            compare(Inner::MonteCarlo { sampling, seed }, &[1, 2, 4]);
-        }
-    }
-}
-
-/// Worked by hand on [0, 1], where C τ is 2, 9/4, 2 and τ is 1, 3/2, 2 at 0, ½, 1.
-#[test]
-fn values_worked_by_hand() {
-    use Exponential::{Cubic, Linear, Quadratic};
-    use Scope::{PerSegment, Whole};
-    let cases = [
-        // T(1) = 1 − 1 = 0, and the right end is all that is looked at.
-        (
-            Rule::RiemannLeft,
-            Rule::RiemannRight,
-            Linear,
-            PerSegment,
-            1,
-            q(0, 1),
-        ),
-        // T(½) = 1 − ½, T(1) = ½ (1 − ¾): ½ (9/4 · ½ + 2 · ⅛).
-        (
-            Rule::RiemannLeft,
-            Rule::RiemannRight,
-            Linear,
-            PerSegment,
-            2,
-            q(11, 16),
-        ),
-        // The whole depth: T(1) = 1 − 5/4: ½ (9/4 · ½ − 2 · ¼).
-        (
-            Rule::RiemannLeft,
-            Rule::RiemannRight,
-            Linear,
-            Whole,
-            2,
-            q(5, 16),
-        ),
-        // Depth 3/2: T(1) = −½, ½ (2 − 1).
-        (
-            Rule::Trapezoid,
-            Rule::Trapezoid,
-            Linear,
-            PerSegment,
-            1,
-            q(1, 2),
-        ),
-        // T(1) = 1 − 3/2 + 9/8 = 5/8, ½ (2 + 5/4).
-        (
-            Rule::Trapezoid,
-            Rule::Trapezoid,
-            Quadratic,
-            PerSegment,
-            1,
-            q(13, 8),
-        ),
-        // T(1) = 5/8 − 27/48 = 1/16, ½ (2 + ⅛).
-        (Rule::Simpson, Rule::Trapezoid, Cubic, Whole, 1, q(17, 16)),
-        // Depths 5/8 and 7/8: T = 1, ⅜, 3/64; (2 + 4 · 9/4 · ⅜ + 2 · 3/64)/6.
-        (
-            Rule::Trapezoid,
-            Rule::Simpson,
-            Linear,
-            PerSegment,
-            2,
-            q(175, 192),
-        ),
-        // Depth ½ τ(¼) = ⅝ at the middle: 9/4 · ⅜.
-        (
-            Rule::Midpoint,
-            Rule::Midpoint,
-            Linear,
-            PerSegment,
-            1,
-            q(27, 32),
-        ),
-    ];
-    for (inner, outer, exponential, scope, n, expected) in cases {
-        let nested = Nested {
-            inner: Inner::PerSegment(inner),
-            outer: Outer(outer),
-            exponential,
-            scope,
-        };
-        assert_eq!(
-            by_method(nested, &q(1, 1), n),
-            expected,
-            "{nested}, n = {n}"
-        );
     }
 }
