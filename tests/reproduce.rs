@@ -18,7 +18,7 @@ fn volver(arguments: &[&str]) -> Command {
 
 fn json(arguments: &[&str]) -> Value {
     let output = volver(arguments)
-        .args(["--json", "-", "--quiet"])
+        .args(["--json", "-"])
         .assert()
         .code(0)
         .stderr("")
@@ -178,7 +178,15 @@ fn bad_input_is_named_in_one_line_and_leaves_no_file() {
         (vec!["--table", "3"], "unknown table '3' (allowed: 1, 2)"),
         (
             vec!["--inner", "simspon"],
-            "unknown rule 'simspon' (allowed: riemann, ",
+            "unknown rule 'simspon' (allowed: riemann, trapezoid, simpson, gauss-3, monte-carlo, ",
+        ),
+        (
+            vec!["--outer", "gauss-3"],
+            "unknown rule 'gauss-3' (allowed: riemann, trapezoid, simpson, boole)",
+        ),
+        (
+            vec!["--table", "2", "--inner", "simpson"],
+            "--inner and --outer choose rules of Table 1",
         ),
         (
             vec!["--format", "f128"],

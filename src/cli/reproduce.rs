@@ -29,7 +29,7 @@ Examples:
   volver reproduce --table 2 --levels 8
   volver reproduce --table 1 --format f32 --format mpfr:256 --levels 8..512
   volver reproduce --inner simpson --outer boole --levels 8..16384
-  volver reproduce --table 1 --levels 6 --json - --quiet";
+  volver reproduce --table 1 --levels 6 --json -";
 
 /// Measure the paper's Tables 1 and 2 again
 #[derive(Args)]
@@ -39,10 +39,10 @@ pub(crate) struct Reproduce {
     #[arg(long = "table", value_name = "TABLE", value_parser = TableNumber::from_str)]
     tables: Vec<TableNumber>,
     /// Only rows of Table 1 with this inner rule, repeatable
-    #[arg(long, value_name = "RULE", value_parser = RuleName::from_str)]
+    #[arg(long, value_name = "RULE", value_parser = RuleName::inner)]
     inner: Vec<RuleName>,
     /// Only columns of Table 1 with this outer rule, repeatable
-    #[arg(long, value_name = "RULE", value_parser = RuleName::from_str)]
+    #[arg(long, value_name = "RULE", value_parser = RuleName::outer)]
     outer: Vec<RuleName>,
     /// Format that orders are measured in, repeatable: f16, bf16, f32, f64 or
     /// mpfr:BITS [default: mpfr:128]
@@ -54,7 +54,7 @@ pub(crate) struct Reproduce {
     /// Seed of the first Monte Carlo replica
     #[arg(long, value_name = "SEED", default_value_t = 1)]
     seed: u64,
-    /// Write all of it as one JSON document; - is standard output
+    /// Write all of it as one JSON document; - is standard output, without tables
     #[arg(long, value_name = "FILE")]
     json: Option<PathBuf>,
     /// Write the report, as Markdown and JSON with SVG plots, into a directory
@@ -105,12 +105,7 @@ impl Reproduce {
                 .to_vec(),
         };
         Ok(Settings {
-            tables: match &self.tables[..] {
-                // Rules belong to Table 1.
-                [] if !self.inner.is_empty() || !self.outer.is_empty() => vec![TableNumber::One],
-                [] => vec![TableNumber::One, TableNumber::Two],
-                tables => tables.to_vec(),
-            },
+            tables: self.chosen_tables()?,
             inner: self.inner.clone(),
             outer: self.outer.clone(),
             formats: if self.formats.is_empty() {
@@ -123,14 +118,33 @@ impl Reproduce {
         })
     }
 
+    /// Rules belong to Table 1: they choose it, and nothing else goes with them.
+    fn chosen_tables(&self) -> Result<Vec<TableNumber>, Failure> {
+        let with_rules = !self.inner.is_empty() || !self.outer.is_empty();
+        match &self.tables[..] {
+            [] if with_rules => Ok(vec![TableNumber::One]),
+            [] => Ok(vec![TableNumber::One, TableNumber::Two]),
+            tables if with_rules && tables.contains(&TableNumber::Two) => Err(Failure::Usage(
+                "--inner and --outer choose rules of Table 1, not of '--table 2' (allowed: --table 1)"
+                    .into(),
+            )),
+            tables => Ok(tables.to_vec()),
+        }
+    }
+
+    /// Standard output is for one thing at a time.
+    fn prints_tables(&self) -> bool {
+        !self.quiet && self.json.as_deref() != Some(Path::new("-"))
+    }
+
     fn write(&self, settings: &Settings, entries: &[Entry]) -> Result<(), Failure> {
         let mut printed = String::new();
-        if !self.quiet {
+        if self.prints_tables() {
             printed += &report::text::reproduction(entries, super::width(), self.color.is_on());
         }
         if let Some(directory) = &self.out {
             let files = report::write_directory(directory, settings, entries)?;
-            if !self.quiet {
+            if self.prints_tables() {
                 let _ = writeln!(printed, "{} files in {}", files.len(), directory.display());
             }
         }

@@ -54,34 +54,57 @@ impl Table {
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct RuleName(&'static str);
 
-/// Text that names no rule of Table 1.
+/// Text that names no row or column of Table 1.
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
-#[error("unknown rule '{name}' (allowed: {})", RULE_NAMES.join(", "))]
+#[error("unknown rule '{name}' (allowed: {allowed})")]
 pub struct RuleNameError {
     /// The text given.
     pub name: String,
+    /// The names there are.
+    pub allowed: String,
 }
 
-const RULE_NAMES: [&str; 8] = [
-    "riemann",
-    "trapezoid",
-    "simpson",
-    "boole",
-    "gauss-3",
-    "monte-carlo",
-    "monte-carlo-independent",
-    "monte-carlo-stratified",
-];
+impl RuleName {
+    /// A row: an inner rule.
+    ///
+    /// # Errors
+    /// [`RuleNameError`] where Table 1 has no such row.
+    pub fn inner(name: &str) -> Result<Self, RuleNameError> {
+        let deterministic = INNER.map(|(name, _)| name);
+        let random = [
+            Sampling::Shared,
+            Sampling::Independent,
+            Sampling::Stratified,
+        ]
+        .map(monte_carlo_name);
+        Self::among(&[&deterministic[..], &random].concat(), name)
+    }
 
-impl FromStr for RuleName {
-    type Err = RuleNameError;
+    /// A column: an outer rule.
+    ///
+    /// # Errors
+    /// [`RuleNameError`] where Table 1 has no such column.
+    pub fn outer(name: &str) -> Result<Self, RuleNameError> {
+        Self::among(&OUTER.map(|(name, _)| name), name)
+    }
 
-    fn from_str(name: &str) -> Result<Self, RuleNameError> {
-        RULE_NAMES
-            .into_iter()
-            .find(|&known| known == name)
-            .map(RuleName)
-            .ok_or_else(|| RuleNameError { name: name.into() })
+    fn among(names: &[&'static str], name: &str) -> Result<Self, RuleNameError> {
+        names
+            .iter()
+            .find(|&&known| known == name)
+            .map(|&known| RuleName(known))
+            .ok_or_else(|| RuleNameError {
+                name: name.into(),
+                allowed: names.join(", "),
+            })
+    }
+}
+
+fn monte_carlo_name(sampling: Sampling) -> &'static str {
+    match sampling {
+        Sampling::Shared => "monte-carlo",
+        Sampling::Independent => "monte-carlo-independent",
+        Sampling::Stratified => "monte-carlo-stratified",
     }
 }
 
@@ -252,11 +275,7 @@ pub(super) fn monte_carlo() -> Vec<Cell<Stochastic>> {
         for (index, (column, outer)) in OUTER.into_iter().enumerate() {
             cells.push(Cell {
                 table,
-                row: match sampling {
-                    Sampling::Shared => "monte-carlo",
-                    Sampling::Independent => "monte-carlo-independent",
-                    Sampling::Stratified => "monte-carlo-stratified",
-                },
+                row: monte_carlo_name(sampling),
                 column,
                 paper: figures.map(|figures: [f64; 4]| figures[index]),
                 method: Stochastic {
