@@ -34,7 +34,7 @@ pub struct Transfer<R> {
 /// Everything is evaluated in the format of its argument; an implementation takes its constants from
 /// [`Format::ratio`](crate::real::Format::ratio) and never from binary64.
 pub trait Case: Debug + Send + Sync {
-    /// A short name, as the command line takes it.
+    /// A short name.
     fn name(&self) -> &'static str;
 
     /// D, the length of the ray.

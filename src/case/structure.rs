@@ -11,7 +11,8 @@ pub struct PolynomialTransfer {
     pub source: Vec<Rational>,
 }
 
-/// The algebraic form of a case, as far as it is known. All cases here are analytic on [0, D].
+/// The algebraic form of a case, as far as it is known. Theory takes every case to be
+/// analytic on [0, D]: on one that is not, a method may show less than its expected order.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct Structure {
     /// The degree of s(λ), where the field is a polynomial.
@@ -38,6 +39,15 @@ impl Structure {
             Some(transfer) => Some(degree(&transfer.extinction) * field),
             None => Some(0).filter(|_| field == 0),
         }
+    }
+
+    /// Whether C·τ is 0 everywhere: then so is the radiance, by every method. `false` also where it is
+    /// unknown.
+    #[must_use]
+    pub fn source_is_zero(&self) -> bool {
+        self.transfer
+            .as_ref()
+            .is_some_and(|transfer| transfer.source.iter().all(|c| *c == 0))
     }
 
     /// Whether C·τ is the same everywhere: then an interpolation error of the field cannot show in

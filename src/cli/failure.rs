@@ -33,7 +33,7 @@ pub(crate) enum Failure {
     #[error("{0} (allowed: a place that can be written)")]
     Report(#[from] volver::report::ReportError),
     /// Standard output cannot be written.
-    #[error("standard output: {0}")]
+    #[error("standard output: {0} (allowed: a reader that reads to the end)")]
     Output(io::Error),
 }
 

@@ -10,7 +10,7 @@ pub(crate) use failure::Failure;
 pub(crate) use terminal::{Color, width};
 
 use clap::{Parser, Subcommand};
-use std::io::{self, ErrorKind, Write};
+use std::io::{self, Write};
 use std::process::ExitCode;
 
 const EXAMPLES: &str = "\
@@ -82,12 +82,10 @@ pub(crate) fn report(outcome: Result<Outcome, Failure>) -> ExitCode {
     }
 }
 
-/// Writes to standard output. A closed pipe is no failure: the reader has seen enough, and the
-/// exit code still tells how the run went.
+/// Writes to standard output. A closed pipe is a failure like any other: what was to be said was not.
 pub(crate) fn write_out(text: &str) -> Result<(), Failure> {
     let mut out = io::stdout().lock();
-    match out.write_all(text.as_bytes()).and_then(|()| out.flush()) {
-        Err(error) if error.kind() != ErrorKind::BrokenPipe => Err(Failure::Output(error)),
-        _ => Ok(()),
-    }
+    out.write_all(text.as_bytes())
+        .and_then(|()| out.flush())
+        .map_err(Failure::Output)
 }

@@ -3,6 +3,7 @@
 use super::{Color, Failure, Outcome, write_out};
 use clap::Args;
 use indicatif::{ProgressBar, ProgressStyle};
+use std::collections::HashSet;
 use std::fmt::Write;
 use std::path::{Path, PathBuf};
 use std::str::FromStr;
@@ -14,10 +15,16 @@ use volver::study::reproduce::{
     Entry, LADDER, ORACLE_BITS, RuleName, Settings, TableNumber, reproduce, work,
 };
 
+/// All methods of a table keep their nodes: about a kilobyte a segment.
+const FINEST: u64 = 1 << 20;
+
 const EXAMPLES: &str = "\
 For every entry: the paper's figure, the paper's protocol in binary64 (least
-squares over n = 8 … 1024), the order that exact arithmetic shows with its
-interval, a verdict, and one line wherever paper and order differ.
+squares over n = 8 … 1024), the asymptotic order in the format asked for with
+its interval, a verdict, and one line wherever paper and order differ. Monte
+Carlo always runs 64 replicas in binary64 on n = 8 … 1024; its order is that of
+the standard deviation. In JSON an order that cannot be given is null. The exit
+code is 1 where a measurement contradicts theory.
 
 RULE is riemann, trapezoid, simpson, boole (outer), gauss-3, monte-carlo,
 monte-carlo-independent or monte-carlo-stratified (inner).
@@ -81,9 +88,9 @@ impl Reproduce {
             report::check_file(file)?;
         }
         let bar = Bar::new(work(&settings));
-        let entries =
-            reproduce(&settings, &bar).map_err(|error| Failure::Usage(error.to_string()))?;
+        let entries = reproduce(&settings, &bar);
         bar.0.finish_and_clear();
+        let entries = entries.map_err(|error| Failure::Usage(error.to_string()))?;
         self.write(&settings, &entries)?;
         Ok(if entries.iter().any(Entry::contradicts_theory) {
             Outcome::CheckFailed
@@ -104,6 +111,11 @@ impl Reproduce {
                 })?
                 .to_vec(),
         };
+        if let Some(n) = ladder.iter().find(|&&n| n > FINEST) {
+            return Err(Failure::Usage(format!(
+                "--levels: n = {n} segments take more memory than is reasonable (allowed: up to {FINEST})"
+            )));
+        }
         Ok(Settings {
             tables: self.chosen_tables()?,
             inner: self.inner.clone(),
@@ -111,7 +123,10 @@ impl Reproduce {
             formats: if self.formats.is_empty() {
                 vec![FormatName::Mpfr(ORACLE_BITS)]
             } else {
-                self.formats.clone()
+                let mut formats = self.formats.clone();
+                let mut seen = HashSet::new();
+                formats.retain(|&format| seen.insert(format));
+                formats
             },
             ladder,
             seed: self.seed,

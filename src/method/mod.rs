@@ -49,10 +49,10 @@ impl Method {
         }
     }
 
-    /// Whether the method can run on n segments.
+    /// Whether n segments suit the method's rules and interpolants.
     ///
     /// # Errors
-    /// [`MethodError::Segments`] where it cannot.
+    /// [`MethodError::Segments`] or [`MethodError::TooFewSegments`] where they do not.
     pub fn check_segments(&self, n: u64) -> Result<(), MethodError> {
         match self {
             Method::Nested(nested) => {

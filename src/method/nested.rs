@@ -4,6 +4,7 @@
 use super::limit::{Limit, Part};
 use super::{Attenuation, Exponential, Inner, MethodError, Outer, Scope, march};
 use crate::case::{Nodes, Number, Structure};
+use crate::quadrature::Sampling;
 use std::fmt;
 
 /// Any inner rule under any outer rule with any exponential.
@@ -47,8 +48,11 @@ impl Nested {
     /// rule that integrates the extinction exactly does not count.
     #[must_use]
     pub fn limits(&self, structure: &Structure) -> Vec<Limit> {
+        if structure.source_is_zero() {
+            return Vec::new();
+        }
         let inner = self.inner.order(structure.extinction_degree());
-        let exponential = self.exponential.order(self.scope);
+        let exponential = self.exponential_order();
         [
             (Part::InnerRule, inner),
             (Part::OuterRule, Some(self.outer.order())),
@@ -57,6 +61,25 @@ impl Nested {
         .into_iter()
         .filter_map(|(part, order)| Some(Limit::new(part, order?)))
         .collect()
+    }
+}
+
+impl Nested {
+    /// The exponential's order by itself, except that a linear one per segment does not converge over
+    /// independent samples: the difference of two independent estimates of the depth scatters by
+    /// O(√d), not O(d), and what a linear exponential neglects of n such segments is a constant.
+    fn exponential_order(&self) -> Option<f64> {
+        let independent = matches!(
+            self.inner,
+            Inner::MonteCarlo {
+                sampling: Sampling::Independent,
+                ..
+            }
+        );
+        if independent && self.exponential == Exponential::Linear {
+            return Some(0.0);
+        }
+        self.exponential.order(self.scope)
     }
 }
 

@@ -36,7 +36,7 @@ impl Preintegrated {
     /// The radiance on n segments.
     ///
     /// # Errors
-    /// [`MethodError::Segments`] where n does not suit the interpolant, [`MethodError::NoClosedForm`]
+    /// [`MethodError::Segments`] or [`MethodError::TooFewSegments`] where n does not suit the interpolant, [`MethodError::NoClosedForm`]
     /// where a closed form is asked for and the transfer functions are not polynomials.
     pub fn radiance<N: Nodes>(&self, nodes: &N, n: u64) -> Result<Number<N>, MethodError> {
         let colors = self.color.segments(nodes, n)?;
@@ -52,6 +52,9 @@ impl Preintegrated {
     /// has no interpolation error.
     #[must_use]
     pub fn limits(&self, structure: &Structure) -> Vec<Limit> {
+        if structure.source_is_zero() {
+            return Vec::new();
+        }
         let mut limits = self.color.limits(structure);
         limits.extend(self.opacity.limits(structure));
         limits

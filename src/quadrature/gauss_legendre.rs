@@ -26,7 +26,7 @@ pub(super) fn table(points: u32, bits: u32) -> Arc<UnitRule> {
         return Arc::clone(table);
     }
     // Computed outside the lock: two threads may do the same work, none waits for another's.
-    let table = Arc::new(compute(points, bits + GUARD_BITS));
+    let table = Arc::new(compute(points, bits.saturating_add(GUARD_BITS)));
     Arc::clone(tables().entry(key).or_insert(table))
 }
 

@@ -70,14 +70,14 @@ impl Rule {
             Rule::Midpoint | Rule::Trapezoid => 2,
             Rule::Simpson => 4,
             Rule::Boole => 6,
-            Rule::GaussLegendre(points) => 2 * points,
+            Rule::GaussLegendre(points) => points.saturating_mul(2),
         }
     }
 
     /// The degree up to which polynomials are integrated exactly.
     #[must_use]
     pub fn degree(self) -> u32 {
-        self.order() - 1
+        self.order().saturating_sub(1)
     }
 
     /// For a rule whose nodes are equidistant and include an end: into how many equal parts they

@@ -50,19 +50,22 @@ impl<'a, N: Nodes> Level<'a, N> {
             exponential,
             scope,
         } = *method;
+        let key = (inner, exponential, scope);
+        if let Some(attenuation) = self.attenuations.get(&key) {
+            return outer.radiance(attenuation);
+        }
         let same_depth = self
             .attenuations
             .iter()
             .find(|((other, ..), _)| *other == inner)
             .map(|(_, attenuation)| attenuation.with_exponential(exponential, scope));
-        let attenuation = match self.attenuations.entry((inner, exponential, scope)) {
-            Entry::Occupied(kept) => kept.into_mut(),
-            Entry::Vacant(place) => place.insert(match same_depth {
-                Some(attenuation) => attenuation,
-                None => Attenuation::new(inner, exponential, scope, self.nodes, self.n)?,
-            }),
+        let attenuation = match same_depth {
+            Some(attenuation) => attenuation,
+            None => Attenuation::new(inner, exponential, scope, self.nodes, self.n)?,
         };
-        outer.radiance(attenuation)
+        let radiance = outer.radiance(&attenuation);
+        self.attenuations.insert(key, attenuation);
+        radiance
     }
 
     fn preintegrated(&mut self, method: &Preintegrated) -> Result<Number<N>, MethodError> {

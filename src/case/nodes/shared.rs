@@ -47,6 +47,7 @@ impl<'c, C: Case, F: Format> Shared<'c, C, F> {
 
     /// The column of that key, evaluated where it is not kept yet.
     fn column(&self, n: u64, offset: Option<&Rational>) -> Arc<Column<F::Real>> {
+        // Held while nodes are evaluated: levels share them, and each is to be evaluated once.
         let mut cache = self.cache();
         let key = (n, offset.cloned());
         if let Some(column) = cache.columns.get(&key) {

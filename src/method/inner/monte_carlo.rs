@@ -49,7 +49,7 @@ pub(super) fn partial_depths<N: Nodes>(
     match sampling {
         // The same samples as for the boundaries, those before the offset.
         Sampling::Shared => shared(&mut Draws::new(seed, n), nodes, n, offset),
-        // Fresh ones, from a stream that no level of this seed uses.
+        // Others, from a stream that no level of this seed uses; the same for every offset.
         Sampling::Stratified => stratified(&mut inside_stream(seed, n), nodes, n, offset),
         Sampling::Independent => {
             let mut draws = inside_stream(seed, n);

@@ -31,24 +31,27 @@ pub(super) fn entries<C: Case>(
         &all_levels(settings),
         progress,
     )?;
-    let protocol = Run::new(
+    let binary64 = Run::new(
         case,
         Native::<f64>::new(),
         &methods,
-        &protocol::LADDER,
+        &binary64_levels(settings),
         progress,
     )?;
+    let protocol = binary64.at_levels(&protocol::LADDER);
+    let protocol_oracle = oracle.at_levels(&protocol::LADDER);
     let mut entries = Vec::new();
     for &name in &settings.formats {
-        let run = if name == FormatName::Mpfr(ORACLE_BITS) {
-            oracle.at_levels(&settings.ladder)
-        } else {
-            name.with(RunIn {
+        // What has run already does not run again.
+        let run = match name {
+            FormatName::Mpfr(ORACLE_BITS) => oracle.at_levels(&settings.ladder),
+            FormatName::F64 => binary64.at_levels(&settings.ladder),
+            _ => name.with(RunIn {
                 case,
                 methods: &methods,
                 ladder: &settings.ladder,
                 progress,
-            })?
+            })?,
         };
         let floors = Some(&oracle).filter(|o| o.bits >= run.bits + ORACLE_MARGIN);
         for (index, cell) in cells.iter().enumerate() {
@@ -60,7 +63,7 @@ pub(super) fn entries<C: Case>(
                 fit.verdict = Verdict::PreAsymptotic;
             }
             let in_binary64 = samples(case, &protocol, index, Some(&oracle));
-            let in_exact = samples(case, &oracle.at_levels(&protocol::LADDER), index, None);
+            let in_exact = samples(case, &protocol_oracle, index, None);
             let note = explain(&Evidence {
                 paper: cell.paper,
                 limits: &limits,
@@ -117,6 +120,15 @@ fn all_levels(settings: &Settings) -> Vec<u64> {
     levels
 }
 
+/// The levels that binary64 is needed at.
+fn binary64_levels(settings: &Settings) -> Vec<u64> {
+    if settings.formats.contains(&FormatName::F64) {
+        all_levels(settings)
+    } else {
+        protocol::LADDER.to_vec()
+    }
+}
+
 struct RunIn<'a, C> {
     case: &'a C,
     methods: &'a [Method],
@@ -137,10 +149,10 @@ pub(super) fn work(cells: &[Cell<Method>], settings: &Settings) -> u64 {
     let other_formats = settings
         .formats
         .iter()
-        .filter(|&&name| name != FormatName::Mpfr(ORACLE_BITS))
+        .filter(|name| !matches!(name, FormatName::Mpfr(ORACLE_BITS) | FormatName::F64))
         .count() as u64;
     let segments = all_levels(settings).iter().sum::<u64>()
-        + protocol::LADDER.iter().sum::<u64>()
+        + binary64_levels(settings).iter().sum::<u64>()
         + other_formats * settings.ladder.iter().sum::<u64>();
     let weights: u64 = cells.iter().map(|cell| units_a_segment(&cell.method)).sum();
     weights * segments

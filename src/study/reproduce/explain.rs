@@ -29,10 +29,14 @@ pub(super) struct Evidence<'a> {
 /// One line, or nothing where paper and order agree and the verdict needs no explanation.
 pub(super) fn explain(evidence: &Evidence<'_>) -> Option<String> {
     let fit = evidence.fit;
-    let (order, half_width) = (fit.order?, fit.half_width?);
+    let Some(order) = fit.order else {
+        return roundoff_cut(evidence);
+    };
+    // Without a window the half-width is a spread, which excuses nothing.
+    let half_width = fit.half_width.filter(|_| fit.window.is_some());
     let differs = evidence
         .paper
-        .is_some_and(|paper| (paper - order).abs() > PRINTED + half_width);
+        .is_some_and(|paper| (paper - order).abs() > PRINTED + half_width.unwrap_or(0.0));
     let transition = transition_note(evidence);
     if !differs && fit.verdict == Verdict::Confirmed && transition.is_none() {
         return None;
@@ -45,21 +49,25 @@ pub(super) fn explain(evidence: &Evidence<'_>) -> Option<String> {
     if transition.is_some() {
         return transition;
     }
-    if let Some(cut) = &fit.cut {
-        let n = evidence.samples.get(cut.level).and_then(|sample| sample.n);
-        if fit.verdict != Verdict::Confirmed
-            && let Some(n) = n
-        {
-            return Some(format!(
-                "roundoff floor: the errors meet the format's own roundoff at n = {n}"
-            ));
-        }
+    if fit.verdict != Verdict::Confirmed
+        && let Some(note) = roundoff_cut(evidence)
+    {
+        return Some(note);
     }
     if differs {
         contributions(evidence, order)
     } else {
         None
     }
+}
+
+/// Where the format's own roundoff ended the ladder.
+fn roundoff_cut(evidence: &Evidence<'_>) -> Option<String> {
+    let cut = evidence.fit.cut.as_ref()?;
+    let n = evidence.samples.get(cut.level)?.n?;
+    Some(format!(
+        "roundoff floor: the errors meet the format's own roundoff at n = {n}"
+    ))
 }
 
 /// What the protocol's window and binary64's roundoff each add to the order, the larger first.
