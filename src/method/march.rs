@@ -3,7 +3,7 @@
 use super::error::{MethodError, require_multiple};
 use super::outer::CompositeWeights;
 use super::{Exponential, Inner, Outer, Scope};
-use crate::case::{Nodes, Number};
+use crate::case::{Nodes, Number, Transfer};
 use crate::quadrature::Rule;
 use crate::real::Format;
 use rug::Rational;
@@ -83,6 +83,7 @@ fn accumulate<N: Nodes>(
     mut attenuate: impl FnMut(Number<N>, &Number<N>, &mut Number<N>),
 ) -> Number<N> {
     let mut sum = nodes.format().int(0);
+    let inside = usize::try_from(n - 1).unwrap_or(usize::MAX);
     let mut places = nodes.march(n);
     let Some(first) = places.next() else {
         return sum;
@@ -90,18 +91,23 @@ fn accumulate<N: Nodes>(
     let mut front = first.extinction.clone();
     sum += &(first.emission * &first.extinction * &transmittance * &outer.first);
     // Groups of segments repeat their weights; the last place has one of its own.
-    let groups = outer.repeating.len();
-    let mut group = 0;
-    for (i, place) in (1..).zip(places) {
+    let mut add = |front, place: Transfer<Number<N>>, weight| {
         attenuate(front, &place.extinction, &mut transmittance);
-        group = if group + 1 == groups { 0 } else { group + 1 };
-        let weight = if i == n {
-            &outer.last
-        } else {
-            &outer.repeating[group]
-        };
         sum += &(place.emission * &place.extinction * &transmittance * weight);
-        front = place.extinction;
+        place.extinction
+    };
+    if let [weight] = &outer.repeating[..] {
+        for place in places.by_ref().take(inside) {
+            front = add(front, place, weight);
+        }
+    } else {
+        let weights = outer.repeating.iter().cycle().skip(1);
+        for (place, weight) in places.by_ref().take(inside).zip(weights) {
+            front = add(front, place, weight);
+        }
+    }
+    if let Some(place) = places.next() {
+        add(front, place, &outer.last);
     }
     sum
 }
