@@ -50,3 +50,4 @@ pub mod quadrature;
 pub mod real;
 pub mod report;
 pub mod study;
+pub mod symbolic;

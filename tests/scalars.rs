@@ -277,6 +277,24 @@ fn the_least_subnormals_half_rounds_to_zero_and_anything_more_to_itself() {
     check::<bf16>();
 }
 
+/// A tie of few bits, and one to either side of it: rounding through binary32 would see only the tie.
+#[test]
+fn integers_beside_a_tie_are_rounded_once() {
+    fn check<T: Pattern>() {
+        let format = Native::<T>::new();
+        for exponent in format.bits() + 2..62 {
+            let tie = (1_i64 << exponent) + (1 << (exponent - format.bits()));
+            for n in [tie - 1, tie, tie + 1, -tie - 1] {
+                assert!(is_nearest(format.int(n), &n.into()), "{n} in {format}");
+            }
+        }
+    }
+    check::<f32>();
+    check::<f64>();
+    check::<f16>();
+    check::<bf16>();
+}
+
 #[test]
 fn significant_bits_follow_mpfr() {
     assert_eq!(Native::<bf16>::new().bits(), 8);

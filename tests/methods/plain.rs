@@ -2,15 +2,27 @@
 
 use super::exact::Exact;
 use rug::Rational;
-use volver::case::{Case, PolynomialTransfer, Structure, Transfer};
+use volver::case::{Case, Structure, Transfer};
 use volver::method::{Exponential, Filling, Inner, Scope};
 use volver::quadrature::{Draws, Rule, Sampling};
 use volver::real::{Format, Real};
 
-/// s = λ, τ = 1 + s, C = 2 − s.
-#[derive(Debug)]
+/// s = λ, τ = τ₀ + τ₁ s + τ₂ s², C = 2 − s.
+#[derive(Clone, Debug)]
 pub(crate) struct Ramp {
     pub(crate) length: Rational,
+    pub(crate) extinction: [Rational; 3],
+}
+
+impl Ramp {
+    fn tau(&self, lambda: &Rational) -> Rational {
+        let [constant, slope, bend] = &self.extinction;
+        (Rational::from(bend * lambda) + slope) * lambda + constant
+    }
+
+    fn source(&self, lambda: &Rational) -> Rational {
+        Rational::from(2 - lambda) * self.tau(lambda)
+    }
 }
 
 impl Case for Ramp {
@@ -24,14 +36,14 @@ impl Case for Ramp {
         lambda.clone()
     }
     fn transfer<R: Real>(&self, s: &R) -> Transfer<R> {
+        let [constant, slope, bend] = self.extinction.each_ref().map(|c| s.format().ratio(c));
         Transfer {
             emission: s.format().int(2) - s,
-            extinction: s.format().int(1) + s,
+            extinction: (bend * s + &slope) * s + &constant,
         }
     }
-    fn optical_depth<R: Real>(&self, lambda: &R) -> R {
-        let square = lambda.clone() * lambda;
-        square / &lambda.format().int(2) + lambda
+    fn optical_depth<R: Real>(&self, _: &R) -> R {
+        unimplemented!("no method may look at it")
     }
     fn radiance<R: Real>(&self, _: &R) -> R {
         unimplemented!("no method may look at it")
@@ -39,10 +51,7 @@ impl Case for Ramp {
     fn structure(&self) -> Structure {
         Structure {
             field_degree: Some(1),
-            transfer: Some(PolynomialTransfer {
-                extinction: vec![1.into(), 1.into()],
-                source: vec![2.into(), 1.into(), (-1).into()],
-            }),
+            transfer: None,
         }
     }
 }
@@ -76,7 +85,7 @@ fn textbook(rule: Rule) -> Vec<(Rational, Rational)> {
 
 /// The plain implementation, on the ramp.
 pub(crate) struct Plain {
-    pub(crate) length: Rational,
+    pub(crate) ramp: Ramp,
     pub(crate) n: u64,
     pub(crate) inner: Inner,
     pub(crate) exponential: Exponential,
@@ -85,20 +94,12 @@ pub(crate) struct Plain {
 
 impl Plain {
     fn step(&self) -> Rational {
-        Rational::from(&self.length / self.n)
+        Rational::from(&self.ramp.length / self.n)
     }
 
     /// λ = (j + x) d.
     fn place(&self, j: u64, x: &Rational) -> Rational {
         Rational::from(x + j) * self.step()
-    }
-
-    fn tau(lambda: &Rational) -> Rational {
-        Rational::from(1 + lambda)
-    }
-
-    fn source(lambda: &Rational) -> Rational {
-        Rational::from(2 - lambda) * Self::tau(lambda)
     }
 
     /// ∫ τ over the first x of segment j.
@@ -108,7 +109,7 @@ impl Plain {
             Inner::PerSegment(rule) => {
                 let mean: Rational = textbook(rule)
                     .into_iter()
-                    .map(|(c, w)| w * Self::tau(&self.place(j, &(c * x))))
+                    .map(|(c, w)| w * self.ramp.tau(&self.place(j, &(c * x))))
                     .sum();
                 mean * width
             }
@@ -118,8 +119,8 @@ impl Plain {
                     let (from, to) = (self.place(j, &q(0, 1)), self.place(j, x));
                     let inside = |lambda: &Rational| from <= *lambda && *lambda < to;
                     let samples = self.uniforms(seed, self.n);
-                    let lambdas = samples.into_iter().map(|u| u * &self.length);
-                    let sum: Rational = lambdas.filter(inside).map(|l| Self::tau(&l)).sum();
+                    let lambdas = samples.into_iter().map(|u| u * &self.ramp.length);
+                    let sum: Rational = lambdas.filter(inside).map(|l| self.ramp.tau(&l)).sum();
                     sum * self.step()
                 }
                 Sampling::Stratified => {
@@ -127,7 +128,7 @@ impl Plain {
                     let u = self
                         .uniforms(seed, self.n)
                         .swap_remove(usize::try_from(j).unwrap());
-                    Self::tau(&self.place(j, &(u * x))) * width
+                    self.ramp.tau(&self.place(j, &(u * x))) * width
                 }
                 Sampling::Independent if *x == 1 => {
                     let depth =
@@ -153,7 +154,7 @@ impl Plain {
         let samples = self.uniforms(seed, draw * self.n).split_off(skip);
         let sum: Rational = samples
             .iter()
-            .map(|u| Self::tau(&Rational::from(u * &lambda)))
+            .map(|u| self.ramp.tau(&Rational::from(u * &lambda)))
             .sum();
         sum * lambda / self.n
     }
@@ -167,7 +168,7 @@ impl Plain {
     /// exact for it), or trapezoids; the back segment of a pair has what Simpson leaves.
     fn pair_depth(&self, filling: Filling, j: u64, x: &Rational) -> Rational {
         let first = j - j % 2;
-        let value = |k: u64| Self::tau(&self.place(first + k, &q(0, 1)));
+        let value = |k: u64| self.ramp.tau(&self.place(first + k, &q(0, 1)));
         let parabola = |u: &Rational| -> Rational {
             let (a, b) = (Rational::from(u - 1_u32), Rational::from(u - 2_u32));
             value(0) * &a * &b / 2 - value(1) * u * &b + value(2) * u * &a / 2
@@ -237,7 +238,7 @@ impl Plain {
                 let place = node * span + panel * span;
                 let (x, j) = place.fract_floor(rug::Integer::new());
                 let j = j.to_u64().unwrap();
-                let source = Self::source(&self.place(j, &x));
+                let source = self.ramp.source(&self.place(j, &x));
                 sum += weight * source * self.transmittance(j, &x) * span;
             }
         }

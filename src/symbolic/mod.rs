@@ -1,0 +1,17 @@
+//! Symbolic expressions: read, print, differentiate, simplify, evaluate, enclose, decide.
+//!
+//! [`Expr`] is an expression with exact rational constants. It is evaluated in any [`real`](crate::real)
+//! format, enclosed in intervals of MPFR, and tested for being 0 everywhere.
+
+mod differentiate;
+mod expr;
+mod function;
+mod parse;
+mod print;
+mod substitute;
+#[cfg(test)]
+mod tests;
+
+pub use expr::{Branch, Condition, Expr, Kind, Relation};
+pub use function::Function;
+pub use parse::{MAX_DEPTH, MAX_EXPONENT, MAX_TEXT, MAX_TOKENS, ParseError, Problem, parse_number};
