@@ -99,6 +99,24 @@ pub trait Real:
     fn ln_1p(self) -> Self;
     /// (sin x, cos x), evaluated together.
     fn sin_cos(self) -> (Self, Self);
+    /// tan x.
+    #[must_use]
+    fn tan(self) -> Self;
+    /// sinh x.
+    #[must_use]
+    fn sinh(self) -> Self;
+    /// cosh x.
+    #[must_use]
+    fn cosh(self) -> Self;
+    /// tanh x.
+    #[must_use]
+    fn tanh(self) -> Self;
+    /// atan x, between −π/2 and π/2.
+    #[must_use]
+    fn atan(self) -> Self;
+    /// erf x = 2/√π ∫₀ˣ e^(−u²) du.
+    #[must_use]
+    fn erf(self) -> Self;
 
     /// Neither NaN nor infinite.
     fn is_finite(&self) -> bool;

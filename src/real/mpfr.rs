@@ -129,6 +129,24 @@ impl Real for MpfrReal {
         let (sin, cos) = self.0.clone().sin_cos(self.0);
         (MpfrReal(sin), MpfrReal(cos))
     }
+    fn tan(self) -> Self {
+        MpfrReal(self.0.tan())
+    }
+    fn sinh(self) -> Self {
+        MpfrReal(self.0.sinh())
+    }
+    fn cosh(self) -> Self {
+        MpfrReal(self.0.cosh())
+    }
+    fn tanh(self) -> Self {
+        MpfrReal(self.0.tanh())
+    }
+    fn atan(self) -> Self {
+        MpfrReal(self.0.atan())
+    }
+    fn erf(self) -> Self {
+        MpfrReal(self.0.erf())
+    }
     fn is_finite(&self) -> bool {
         self.0.is_finite()
     }

@@ -195,6 +195,32 @@ impl<T: NativeFloat> Real for T {
         NumFloat::sin_cos(self)
     }
     #[inline]
+    fn tan(self) -> T {
+        NumFloat::tan(self)
+    }
+    #[inline]
+    fn sinh(self) -> T {
+        NumFloat::sinh(self)
+    }
+    #[inline]
+    fn cosh(self) -> T {
+        NumFloat::cosh(self)
+    }
+    #[inline]
+    fn tanh(self) -> T {
+        NumFloat::tanh(self)
+    }
+    #[inline]
+    fn atan(self) -> T {
+        NumFloat::atan(self)
+    }
+    #[inline]
+    fn erf(self) -> T {
+        // num_traits knows no erf; binary64 holds every value of T.
+        let wide = self.to_f64().map(libm::erf);
+        wide.and_then(T::from_f64).unwrap_or_else(T::nan)
+    }
+    #[inline]
     fn is_finite(&self) -> bool {
         NumFloat::is_finite(*self)
     }

@@ -97,6 +97,24 @@ impl Real for Number {
     fn sin_cos(self) -> (Self, Self) {
         unimplemented!("not rational")
     }
+    fn tan(self) -> Self {
+        unimplemented!("not rational")
+    }
+    fn sinh(self) -> Self {
+        unimplemented!("not rational")
+    }
+    fn cosh(self) -> Self {
+        unimplemented!("not rational")
+    }
+    fn tanh(self) -> Self {
+        unimplemented!("not rational")
+    }
+    fn atan(self) -> Self {
+        unimplemented!("not rational")
+    }
+    fn erf(self) -> Self {
+        unimplemented!("not rational")
+    }
     fn is_finite(&self) -> bool {
         true
     }
