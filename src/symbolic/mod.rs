@@ -8,6 +8,7 @@ mod expr;
 mod function;
 mod parse;
 mod print;
+mod program;
 mod substitute;
 #[cfg(test)]
 mod tests;
@@ -15,3 +16,4 @@ mod tests;
 pub use expr::{Branch, Condition, Expr, Kind, Relation};
 pub use function::Function;
 pub use parse::{MAX_DEPTH, MAX_EXPONENT, MAX_TEXT, MAX_TOKENS, ParseError, Problem, parse_number};
+pub use program::{Bound, CompileError, Constant, Instruction, Operand, Operation, Program};

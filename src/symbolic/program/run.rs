@@ -1,0 +1,257 @@
+//! Running a program over many places at once.
+
+use super::{Constant, Operand, Operation, Program};
+use crate::real::{Format, Real};
+use crate::symbolic::Function;
+use std::cmp::Ordering;
+
+/// Places that are computed side by side: enough for the loops to be long, few enough for a cache.
+const LANES: usize = 64;
+
+/// A program with its constants in one format.
+#[derive(Clone, Debug)]
+pub struct Bound<'p, F: Format> {
+    program: &'p Program,
+    format: F,
+    constants: Vec<F::Real>,
+}
+
+/// One value for each lane, or the same for all.
+enum Values<'v, R> {
+    Each(&'v [R]),
+    All(&'v R),
+}
+
+impl<R> Clone for Values<'_, R> {
+    fn clone(&self) -> Self {
+        *self
+    }
+}
+
+impl<R> Copy for Values<'_, R> {}
+
+impl<'p, F: Format> Bound<'p, F> {
+    pub(super) fn new(program: &'p Program, format: F) -> Self {
+        let constants = program
+            .constants
+            .iter()
+            .map(|constant| match constant {
+                Constant::Rational(q) => format.ratio(q),
+                Constant::Pi => format.pi(),
+            })
+            .collect();
+        Bound {
+            program,
+            format,
+            constants,
+        }
+    }
+
+    /// Appends the values of output k at every place to `outputs[k]`.
+    ///
+    /// `inputs[i]` are the values of input i; where they are of different lengths, the shortest counts.
+    /// Inputs and outputs that the program does not have are left alone.
+    pub fn run(&self, inputs: &[&[F::Real]], outputs: &mut [Vec<F::Real>]) {
+        let count = inputs.iter().map(|values| values.len()).min().unwrap_or(0);
+        let lanes = count.min(LANES);
+        let mut registers = vec![self.format.int(0); lanes * self.program.registers];
+        let mut from = 0;
+        while from < count {
+            let to = (from + lanes).min(count);
+            let block: Vec<&[F::Real]> = inputs.iter().map(|values| &values[from..to]).collect();
+            self.run_block(&block, lanes, to - from, &mut registers);
+            for (operand, output) in self.program.outputs.iter().zip(outputs.iter_mut()) {
+                match self.values(*operand, &block, &registers, lanes, to - from) {
+                    Values::Each(values) => output.extend_from_slice(values),
+                    Values::All(value) => {
+                        output.extend(std::iter::repeat_n(value.clone(), to - from));
+                    }
+                }
+            }
+            from = to;
+        }
+    }
+
+    /// The values of all outputs at one place.
+    #[must_use]
+    pub fn at(&self, inputs: &[&F::Real]) -> Vec<F::Real> {
+        let block: Vec<&[F::Real]> = inputs
+            .iter()
+            .map(|&value| std::slice::from_ref(value))
+            .collect();
+        let mut registers = vec![self.format.int(0); self.program.registers];
+        self.run_block(&block, 1, 1, &mut registers);
+        self.program
+            .outputs
+            .iter()
+            .map(
+                |operand| match self.values(*operand, &block, &registers, 1, 1) {
+                    Values::Each(values) => values[0].clone(),
+                    Values::All(value) => value.clone(),
+                },
+            )
+            .collect()
+    }
+
+    fn values<'v>(
+        &'v self,
+        operand: Operand,
+        inputs: &[&'v [F::Real]],
+        registers: &'v [F::Real],
+        lanes: usize,
+        count: usize,
+    ) -> Values<'v, F::Real> {
+        match operand {
+            Operand::Input(i) => Values::Each(inputs[i]),
+            Operand::Constant(i) => Values::All(&self.constants[i]),
+            Operand::Register(i) => Values::Each(&registers[i * lanes..i * lanes + count]),
+        }
+    }
+
+    /// All instructions on `count` ≤ `lanes` places; register r occupies `registers[r·lanes..]`.
+    fn run_block(
+        &self,
+        inputs: &[&[F::Real]],
+        lanes: usize,
+        count: usize,
+        registers: &mut [F::Real],
+    ) {
+        for instruction in &self.program.instructions {
+            // Operands stand in earlier registers than the target.
+            let (earlier, rest) = registers.split_at_mut(instruction.target * lanes);
+            let (target, next) = rest.split_at_mut(lanes);
+            let target = &mut target[..count];
+            let values = |operand| self.values(operand, inputs, earlier, lanes, count);
+            match instruction.operation {
+                Operation::Add(a, b) => binary(target, values(a), values(b), |x, y| *x += y),
+                Operation::Subtract(a, b) => binary(target, values(a), values(b), |x, y| *x -= y),
+                Operation::Multiply(a, b) => binary(target, values(a), values(b), |x, y| *x *= y),
+                Operation::Divide(a, b) => binary(target, values(a), values(b), |x, y| *x /= y),
+                Operation::Min(a, b) => binary(target, values(a), values(b), |x, y| {
+                    keep(x, y, Ordering::Less);
+                }),
+                Operation::Max(a, b) => binary(target, values(a), values(b), |x, y| {
+                    keep(x, y, Ordering::Greater);
+                }),
+                Operation::Negate(a) => unary(target, values(a), |x| -x),
+                Operation::Sqrt(a) => unary(target, values(a), Real::sqrt),
+                Operation::ExpM1(a) => unary(target, values(a), Real::exp_m1),
+                Operation::Ln1p(a) => unary(target, values(a), Real::ln_1p),
+                Operation::Call(function, a) => call(function, target, values(a)),
+                Operation::SinCos(a) => {
+                    let cosines = &mut next[..count];
+                    for (i, (sin, cos)) in target.iter_mut().zip(cosines).enumerate() {
+                        (*sin, *cos) = lane(values(a), i).clone().sin_cos();
+                    }
+                }
+                Operation::Select {
+                    relation,
+                    left,
+                    right,
+                    then,
+                    otherwise,
+                } => {
+                    for (i, target) in target.iter_mut().enumerate() {
+                        let (left, right) = (lane(values(left), i), lane(values(right), i));
+                        let holds = relation.holds(left, right);
+                        let comparable = left.partial_cmp(right).is_some();
+                        if !comparable {
+                            // What NaN leads to is NaN.
+                            target.set(left);
+                            *target += right;
+                        } else if holds {
+                            target.set(lane(values(then), i));
+                        } else {
+                            target.set(lane(values(otherwise), i));
+                        }
+                    }
+                }
+            }
+        }
+    }
+}
+
+fn lane<R>(values: Values<'_, R>, i: usize) -> &R {
+    match values {
+        Values::Each(values) => &values[i],
+        Values::All(value) => value,
+    }
+}
+
+/// target = a, then `apply` with b: in place, so that MPFR reuses its limbs.
+#[inline]
+fn binary<R: Real>(
+    target: &mut [R],
+    a: Values<'_, R>,
+    b: Values<'_, R>,
+    apply: impl Fn(&mut R, &R),
+) {
+    // One loop for each shape, so that native formats are computed side by side.
+    match (a, b) {
+        (Values::Each(a), Values::Each(b)) => {
+            for ((target, a), b) in target.iter_mut().zip(a).zip(b) {
+                target.set(a);
+                apply(target, b);
+            }
+        }
+        (Values::Each(a), Values::All(b)) => {
+            for (target, a) in target.iter_mut().zip(a) {
+                target.set(a);
+                apply(target, b);
+            }
+        }
+        (Values::All(a), Values::Each(b)) => {
+            for (target, b) in target.iter_mut().zip(b) {
+                target.set(a);
+                apply(target, b);
+            }
+        }
+        (Values::All(a), Values::All(b)) => {
+            for target in target {
+                target.set(a);
+                apply(target, b);
+            }
+        }
+    }
+}
+
+#[inline]
+fn unary<R: Real>(target: &mut [R], a: Values<'_, R>, apply: impl Fn(R) -> R) {
+    match a {
+        Values::Each(a) => {
+            for (target, a) in target.iter_mut().zip(a) {
+                *target = apply(a.clone());
+            }
+        }
+        Values::All(a) => {
+            for target in target {
+                *target = apply(a.clone());
+            }
+        }
+    }
+}
+
+fn call<R: Real>(function: Function, target: &mut [R], a: Values<'_, R>) {
+    match function {
+        Function::Exp => unary(target, a, Real::exp),
+        Function::Ln => unary(target, a, Real::ln),
+        Function::Sin => unary(target, a, |x| x.sin_cos().0),
+        Function::Cos => unary(target, a, |x| x.sin_cos().1),
+        Function::Tan => unary(target, a, Real::tan),
+        Function::Sinh => unary(target, a, Real::sinh),
+        Function::Cosh => unary(target, a, Real::cosh),
+        Function::Tanh => unary(target, a, Real::tanh),
+        Function::Atan => unary(target, a, Real::atan),
+        Function::Erf => unary(target, a, Real::erf),
+        Function::Abs => unary(target, a, Real::abs),
+    }
+}
+
+/// Replaces x by y where y is less (greater) or NaN.
+fn keep<R: Real>(x: &mut R, y: &R, wanted: Ordering) {
+    match y.partial_cmp(x) {
+        Some(order) if order == wanted => x.set(y),
+        Some(_) => {}
+        None => *x += y,
+    }
+}
