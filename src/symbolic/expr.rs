@@ -24,7 +24,7 @@ const MAX_FOLDED_BITS: u64 = 4096;
 /// use volver::symbolic::Expr;
 ///
 /// let depth: Expr = "sin(lambda^2)/2".parse()?;
-/// assert_eq!(depth.differentiate("lambda").to_string(), "lambda*cos(lambda^2)");
+/// assert_eq!(depth.differentiate("lambda").to_string(), "cos(lambda^2)*lambda");
 /// # Ok::<(), volver::symbolic::ParseError>(())
 /// ```
 #[derive(Clone)]
