@@ -16,7 +16,7 @@ const MAX_FOLDED_BITS: u64 = 4096;
 ///
 /// An expression is a value: cheap to clone, and parts that occur more than once may be shared.
 /// Constructors keep what is written but for what loses nothing anywhere: nested sums and products are
-/// flattened, numbers are folded, and 1/xᵃ is x⁻ᵃ. So text read from what [`Display`](fmt::Display)
+/// flattened, numbers are folded, and 1/xᵃ is x⁻ᵃ for a > 0. So text read from what [`Display`](fmt::Display)
 /// prints is the same expression again. Everything that needs to know where an expression is defined is
 /// left to [`simplify`](super::simplify).
 ///
@@ -216,7 +216,10 @@ impl Expr {
                     return Expr::number(folded);
                 }
             }
-            Kind::Power(base, inner) if exponent == -1 => return base.pow(Rational::from(-inner)),
+            // 1/(1/x) is not x: it has no value at 0.
+            Kind::Power(base, inner) if exponent == -1 && *inner > 0 => {
+                return base.pow(Rational::from(-inner));
+            }
             _ => {}
         }
         Expr::new(Kind::Power(self.clone(), exponent))

@@ -5,15 +5,18 @@
 
 mod differentiate;
 mod expr;
+mod facts;
 mod function;
 mod parse;
 mod print;
 mod program;
+mod simplify;
 mod substitute;
 #[cfg(test)]
 mod tests;
 
 pub use expr::{Branch, Condition, Expr, Kind, Relation};
+pub use facts::Facts;
 pub use function::Function;
 pub use parse::{MAX_DEPTH, MAX_EXPONENT, MAX_TEXT, MAX_TOKENS, ParseError, Problem, parse_number};
 pub use program::{Bound, CompileError, Constant, Instruction, Operand, Operation, Program};
