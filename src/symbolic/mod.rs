@@ -10,6 +10,7 @@ mod function;
 mod parse;
 mod print;
 mod program;
+mod quotient;
 mod simplify;
 mod substitute;
 #[cfg(test)]
@@ -20,3 +21,4 @@ pub use facts::Facts;
 pub use function::Function;
 pub use parse::{MAX_DEPTH, MAX_EXPONENT, MAX_TEXT, MAX_TOKENS, ParseError, Problem, parse_number};
 pub use program::{Bound, CompileError, Constant, Instruction, Operand, Operation, Program};
+pub use quotient::{expand, quotient};
