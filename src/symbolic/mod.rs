@@ -22,3 +22,8 @@ pub use function::Function;
 pub use parse::{MAX_DEPTH, MAX_EXPONENT, MAX_TEXT, MAX_TOKENS, ParseError, Problem, parse_number};
 pub use program::{Bound, CompileError, Constant, Instruction, Operand, Operation, Program};
 pub use quotient::{expand, quotient};
+
+mod enclose;
+mod interval;
+pub use enclose::{EncloseError, enclose_range};
+pub use interval::{Interval, Undefined};
