@@ -8,6 +8,7 @@ mod tests;
 pub use mean_value::enclose_range;
 
 pub(super) use evaluate::{Evaluator, Fault};
+pub(super) use mean_value::mean_value;
 
 use super::Expr;
 use super::interval::Interval;

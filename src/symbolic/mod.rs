@@ -23,7 +23,12 @@ pub use parse::{MAX_DEPTH, MAX_EXPONENT, MAX_TEXT, MAX_TOKENS, ParseError, Probl
 pub use program::{Bound, CompileError, Constant, Instruction, Operand, Operation, Program};
 pub use quotient::{expand, quotient};
 
+mod decide;
 mod enclose;
 mod interval;
+mod refute;
+mod simplest;
+pub use decide::{Claim, DECIDE_BUDGET, Decision, decide};
 pub use enclose::{EncloseError, enclose_range};
 pub use interval::{Interval, Undefined};
+pub use refute::{Witness, refute_zero};

@@ -28,6 +28,9 @@ pub(crate) struct Evaluator<'e, 'v> {
     /// Failures too: a part that fails may occur exponentially often.
     known: HashMap<&'e Expr, Outcome<'e>>,
     united: bool,
+    /// Whether roots may ignore what is below 0, and whether one did.
+    clamps: bool,
+    clamped: bool,
 }
 
 impl<'e, 'v> Evaluator<'e, 'v> {
@@ -37,7 +40,21 @@ impl<'e, 'v> Evaluator<'e, 'v> {
             value,
             known: HashMap::new(),
             united: false,
+            clamps: false,
+            clamped: false,
         }
+    }
+
+    /// Takes positive fractional powers of the part of a base that is ≥ 0, for callers who then prove
+    /// that there is nothing else.
+    pub(crate) fn clamping(mut self) -> Self {
+        self.clamps = true;
+        self
+    }
+
+    /// Whether the result only holds where all bases of fractional powers are ≥ 0.
+    pub(crate) fn is_clamped(&self) -> bool {
+        self.clamped
     }
 
     /// Whether branches had to be united, so that the expression may jump inside the box. Otherwise an
@@ -77,7 +94,19 @@ impl<'e, 'v> Evaluator<'e, 'v> {
             },
             Kind::Sum(terms) => self.fold(terms, |a, b| a + b),
             Kind::Product(factors) => self.fold(factors, |a, b| a * b),
-            Kind::Power(base, exponent) => defined(self.enclose(base)?.pow(exponent)),
+            Kind::Power(base, exponent) => {
+                let base = self.enclose(base)?;
+                let power = base.pow(exponent);
+                if self.clamps && power == Err(Undefined::Possibly) && *exponent > 0 {
+                    self.clamped = true;
+                    return defined(
+                        base.nonnegative_part()
+                            .unwrap_or(base.as_ref().clone())
+                            .pow(exponent),
+                    );
+                }
+                defined(power)
+            }
             Kind::Call(function, argument) => {
                 let x = self.enclose(argument)?;
                 defined(call(*function, &x))
