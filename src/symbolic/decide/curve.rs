@@ -3,6 +3,7 @@
 use crate::symbolic::enclose::{Evaluator, mean_value};
 use crate::symbolic::{EncloseError, Expr, Interval, Kind};
 use rug::Rational;
+use std::cell::OnceCell;
 use std::collections::HashMap;
 
 /// The precisions at which one number is looked at until its sign is clear.
@@ -52,7 +53,7 @@ pub(super) struct Curve {
     symbol: String,
     points: HashMap<Rational, Point>,
     latest: Option<(Interval, Option<Range>)>,
-    derivative: Option<Option<Box<Curve>>>,
+    derivative: OnceCell<Option<Box<Curve>>>,
 }
 
 impl Curve {
@@ -62,7 +63,7 @@ impl Curve {
             symbol: symbol.to_owned(),
             points: HashMap::new(),
             latest: None,
-            derivative: None,
+            derivative: OnceCell::new(),
         }
     }
 
@@ -109,12 +110,11 @@ impl Curve {
     /// Its derivative, unless that is too large.
     pub(super) fn derivative(&mut self) -> Option<&mut Curve> {
         let (expr, symbol) = (&self.expr, &self.symbol);
-        self.derivative
-            .get_or_insert_with(|| {
-                let derivative = may_differentiate(expr).then(|| expr.differentiate(symbol))?;
-                Some(Box::new(Curve::new(derivative, symbol)))
-            })
-            .as_deref_mut()
+        self.derivative.get_or_init(|| {
+            let derivative = may_differentiate(expr).then(|| expr.differentiate(symbol))?;
+            Some(Box::new(Curve::new(derivative, symbol)))
+        });
+        self.derivative.get_mut()?.as_deref_mut()
     }
 }
 

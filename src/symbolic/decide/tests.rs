@@ -70,9 +70,7 @@ fn proved() {
         ("piecewise(x^2 < 1/3, 1, 2)", Positive),
         ("piecewise(x > 2, 1/(x - x), 1)", Positive),
     ] {
-        let started = std::time::Instant::now();
         assert_eq!(on(text, (0, 1), (1, 1), claim), Decision::Proved, "{text}");
-        println!("{:>10.1?} {text} {claim:?}", started.elapsed());
         assert_eq!(on(text, (1, 1), (0, 1), claim), Decision::Proved, "{text}");
     }
     let both = on("cosh(x) - 1 - x^2/2", (-1, 1), (1, 1), NonNegative);
@@ -115,9 +113,6 @@ fn refuted() {
         ("piecewise(x < 1/2, 1, 1/(x - 1/2))", Defined, Some("1/2")),
         ("piecewise(x < 1/2, 1, exp(x) - 2)", Nonzero, None),
     ] {
-        let started = std::time::Instant::now();
-        let _ = on(text, (0, 1), (1, 1), claim);
-        println!("{:>10.1?} {text} {claim:?}", started.elapsed());
         let Decision::Refuted { witness: at, value } = on(text, (0, 1), (1, 1), claim) else {
             panic!("{text}: {:?}", on(text, (0, 1), (1, 1), claim));
         };
@@ -158,9 +153,7 @@ fn undecided() {
         // Both sides of a kink meet at 1, and slopes cannot tell which is taken.
         ("max(x, x^2) - x^2", NonNegative),
     ] {
-        let started = std::time::Instant::now();
         let decision = on(text, (0, 1), (1, 1), claim);
-        println!("{:>10.1?} {text} {claim:?}", started.elapsed());
         assert!(
             matches!(decision, Decision::Undecided { .. }),
             "{text}: {decision:?}"
@@ -194,11 +187,11 @@ fn no_false_claim_is_proved() {
             .collect();
         roots.sort();
         roots.dedup();
-        let exponent = 1 + i32::from(squared % 2);
+        let exponent = 1 + usize::from(squared % 2);
         let lift = Rational::from((i32::from(lift % 3), 1000));
         // Multiplied out, so that its roots cannot be seen.
         let mut coefficients = vec![Rational::from(1)];
-        for root in roots.iter().flat_map(|root| vec![root; exponent as usize]) {
+        for root in roots.iter().flat_map(|root| vec![root; exponent]) {
             let mut next = vec![Rational::new(); coefficients.len() + 1];
             for (power, coefficient) in coefficients.iter().enumerate() {
                 next[power + 1] += coefficient;
@@ -207,15 +200,12 @@ fn no_false_claim_is_proved() {
             coefficients = next;
         }
         let x = Expr::symbol("x");
-        let polynomial = Expr::sum(coefficients.iter().enumerate().map(|(power, c)| {
-            let term = Expr::number(c.clone());
-            if power == 0 {
-                term
-            } else {
-                term * x.pow(power as i32)
-            }
-        }));
-        let polynomial = polynomial + Expr::number(lift.clone());
+        let mut polynomial = Expr::number(lift.clone());
+        let mut power = Expr::number(1);
+        for coefficient in coefficients {
+            polynomial = polynomial + Expr::number(coefficient) * power.clone();
+            power = power * x.clone();
+        }
         let (from, to) = (Rational::from(0), Rational::from(1));
         let inside = roots.iter().any(|root| *root >= 0 && *root <= 1);
         let crosses = exponent == 1 && roots.iter().any(|root| *root > 0 && *root < 1);
@@ -226,11 +216,10 @@ fn no_false_claim_is_proved() {
             _ if lift != 0 => None,
             NonNegative if exponent == 2 => Some(true),
             NonNegative if crosses => Some(false),
-            NonNegative => None,
             Positive if exponent == 2 => Some(!inside),
             Positive if inside => Some(false),
-            Positive => None,
             Nonzero => Some(!inside),
+            NonNegative | Positive => None,
         };
         for claim in [Defined, NonNegative, Positive, Nonzero] {
             let decision = decide(&polynomial, "x", &from, &to, claim);
