@@ -105,12 +105,14 @@ pub fn decide(expr: &Expr, symbol: &str, from: &Rational, to: &Rational, claim: 
     let cuts = cuts(expr, symbol, from, to);
     let mut unclear = None;
     for at in cuts.iter().cloned().chain(probes(from, to)) {
+        if budget.is_spent() {
+            unclear = Some(at);
+            break;
+        }
         match claim.judge(whole.at(&at, &mut budget)) {
-            Judgement::Holds => {}
             Judgement::Fails(value) => return Decision::Refuted { witness: at, value },
-            Judgement::Unclear => {
-                let _ = unclear.get_or_insert(at);
-            }
+            Judgement::Unclear if cuts.contains(&at) => unclear = Some(at),
+            Judgement::Holds | Judgement::Unclear => {}
         }
     }
     match unclear {
@@ -122,16 +124,9 @@ pub fn decide(expr: &Expr, symbol: &str, from: &Rational, to: &Rational, claim: 
     let mut pieces = Vec::new();
     for (from, to) in cuts.iter().zip(cuts.iter().skip(1)) {
         let piece = pieces::on_piece(expr, symbol, from, to);
-        if piece != *expr {
-            // A piece says nothing of its ends, where the expression may be another one.
-            for at in [from, to] {
-                if !matches!(claim.judge(whole.at(at, &mut budget)), Judgement::Holds) {
-                    unclear = Some(at.clone());
-                }
-            }
-        }
         pieces.push(search::Piece::new(piece, symbol, from, to));
     }
+    // A piece says nothing of its ends, where the expression may be another one.
     let ends_unclear = unclear.filter(|_| pieces.iter().any(|piece| !piece.is(expr)));
     match (search::search(pieces, claim, &mut budget), ends_unclear) {
         (Decision::Proved, Some(near)) => Decision::Undecided { near },

@@ -97,6 +97,7 @@ fn refuted() {
         ("sqrt(x - 1/2)", Defined, Some("0")),
         ("sqrt((x - 1/2)^2 - 1/10000)", Defined, Some("1/2")),
         ("x - 1/2", Nonzero, Some("1/2")),
+        ("sqrt((x - 2/9)^2 - 1/1000000)", Defined, None),
         ("1 - 2*exp(-100*(x - 2/9)^2)", NonNegative, None),
         ("(x - 1/7)^2 - 1/1000000", NonNegative, None),
         ("x^2 - 1/2", Nonzero, None),
@@ -152,6 +153,10 @@ fn undecided() {
         ("x - x*y", Defined),
         // Both sides of a kink meet at 1, and slopes cannot tell which is taken.
         ("max(x, x^2) - x^2", NonNegative),
+        // What is between the pieces is not 0 within any number of bits.
+        ("piecewise(x < 1/2, 1, x <= 1/2, sin(pi), 1)", NonNegative),
+        // A rise after a jump downwards.
+        ("piecewise(x^2 < 1/2, 1 + x, x*x - 1/2)", NonNegative),
     ] {
         let decision = on(text, (0, 1), (1, 1), claim);
         assert!(
