@@ -34,3 +34,5 @@ pub use enclose::{EncloseError, enclose_range};
 pub use interval::{Interval, Undefined};
 pub use pieces::{Piece, PiecesError, Place, pieces};
 pub use refute::{Witness, refute_zero};
+
+mod latex;

@@ -129,7 +129,7 @@ fn write_product(f: &mut fmt::Formatter<'_>, factors: &[Expr]) -> fmt::Result {
 }
 
 /// Whether this is the exponent of a square root.
-fn is_half(exponent: &Rational) -> bool {
+pub(super) fn is_half(exponent: &Rational) -> bool {
     *exponent.numer() == 1 && *exponent.denom() == 2
 }
 
