@@ -19,7 +19,7 @@ enum Strength {
 }
 
 impl Expr {
-    /// The expression in LaTeX, for mathematics mode with `amsmath` (or KaTeX, or `MathJax`).
+    /// The expression in LaTeX, for mathematics mode with `amsmath` (or `KaTeX`, or `MathJax`).
     ///
     /// ```
     /// use volver::symbolic::Expr;
@@ -206,13 +206,10 @@ impl Writer {
             };
             let left = self.at(&condition.left, Strength::Sum);
             let right = self.at(&condition.right, Strength::Sum);
-            text += &format!(r"{}, & {left} {relation} {right} \\ ", self.text(value));
+            let value = self.text(value);
+            text.extend([&value, ", & ", &left, " ", relation, " ", &right, r" \\ "]);
         }
-        text += &format!(
-            r"{}, & \text{{otherwise}} \end{{cases}}",
-            self.text(otherwise)
-        );
-        text
+        text + &self.text(otherwise) + r", & \text{otherwise} \end{cases}"
     }
 }
 

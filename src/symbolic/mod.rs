@@ -35,4 +35,5 @@ pub use interval::{Interval, Undefined};
 pub use pieces::{Piece, PiecesError, Place, pieces};
 pub use refute::{Witness, refute_zero};
 
+pub mod code;
 mod latex;
