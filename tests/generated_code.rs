@@ -30,7 +30,7 @@ const EXPRESSIONS: [&str; 17] = [
     "piecewise(s < 1/2, ln(s), s <= lambda, pi*s, lambda > 3, -1, s >= -2, 5, 1/lambda)",
     "min(piecewise(s*lambda >= 1, s, lambda), 2)*s",
     "abs(s - 1e30)*1e-300 - (-s)^2 - -lambda/9007199254740993",
-    "sin(s)*cos(s) + s*s^2*s^3 + sin(lambda + s*(1 + s*(2 + s*(3 + s*(4 + s*(5 + s*(6 + s*(7 + s)))))))",
+    "sin(s)*cos(s) + s*s^2*s^3 + sin(lambda + s*(1 + s*(2 + s*(3 + s*(4 + s*(5 + s*(6 + s*(7 + s))))))))",
     "1e400*s + s/1e-400",
     "7/3",
 ];

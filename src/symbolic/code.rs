@@ -132,15 +132,15 @@ pub fn source(
         functions += &layout.function(name, &layout::lines(definition.doc), &body);
     }
     let mut code = String::new();
-    for helper in callees.iter().filter_map(|&callee| layout.helper(callee)) {
-        code += layout.gap();
-        code += helper;
-    }
     if !constants.is_empty() {
         code.push('\n');
     }
     for ((_, value), name) in constants.iter().zip(constant_names) {
         code += &layout.constant(name, &number::rational(value, layout).text);
+    }
+    for helper in callees.iter().filter_map(|&callee| layout.helper(callee)) {
+        code += layout.gap();
+        code += helper;
     }
     code += &functions;
     let head = layout::comment(layout.comment(), &layout::lines(head));

@@ -146,6 +146,8 @@ fn whole_files() {
 
 import math
 
+LENGTH = 1.0 / 3.0
+
 
 def _max(a, b):
     """The greater of the two; NaN where one of them is."""
@@ -162,9 +164,6 @@ def _div(a, b):
         return math.copysign(math.inf, a) * math.copysign(1.0, b)
 
 
-LENGTH = 1.0 / 3.0
-
-
 def ratio(x: float, lambda_: float, E: float) -> float:
     """A ratio."""
     return _div(_max(x, lambda_), lambda_)
@@ -174,6 +173,8 @@ def ratio(x: float, lambda_: float, E: float) -> float:
         file(Language::Rust),
         r"// Made by hand.
 // \ .
+
+pub const LENGTH: f64 = 1.0 / 3.0;
 
 /// The greater of the two; NaN where one of them is.
 fn greater(a: f64, b: f64) -> f64 {
@@ -186,8 +187,6 @@ fn greater(a: f64, b: f64) -> f64 {
     }
 }
 
-pub const LENGTH: f64 = 1.0 / 3.0;
-
 /// A ratio.
 #[allow(non_snake_case)]
 pub fn ratio(x: f64, lambda: f64, E: f64) -> f64 {
@@ -198,12 +197,12 @@ pub fn ratio(x: f64, lambda: f64, E: f64) -> f64 {
     );
     assert!(file(Language::C).ends_with(
         r"
+const double LENGTH = 1.0 / 3.0;
+
 // The greater of the two; NaN where one of them is.
 static double greater(double a, double b) {
     return b > a ? b : a >= b ? a : NAN;
 }
-
-const double LENGTH = 1.0 / 3.0;
 
 // A ratio.
 double ratio(double x, double lambda, double E) {
