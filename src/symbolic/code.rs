@@ -2,8 +2,9 @@
 //!
 //! Run in binary64, the code does the same operations in the same order as
 //! [`Program::bind`] to [`Native<f64>`](crate::real::Native) does, infinities and NaN included. So values
-//! differ only where the languages' libraries of elementary functions do. Arguments must be binary64: a
-//! Python `int` is computed with as the integer that it is.
+//! differ only where the languages' libraries of elementary functions do, and where a C compiler works out
+//! functions of constants itself: gcc rounds them correctly, unless it is told `-fno-builtin`. Arguments
+//! must be binary64: a Python `int` is computed with as the integer that it is.
 
 mod body;
 mod c;
