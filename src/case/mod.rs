@@ -1,5 +1,6 @@
 //! Cases: a field, two transfer functions, a ray length, and the exact answer.
 
+pub mod file;
 mod homogeneous_slab;
 mod nodes;
 mod reciprocal;
@@ -8,6 +9,7 @@ mod structure;
 #[cfg(test)]
 mod tests;
 
+pub use file::{ChannelDescription, Description, FileError, FileProblem, Recipe};
 pub use homogeneous_slab::HomogeneousSlab;
 pub use nodes::{Column, Fresh, Nodes, Number, Shared};
 pub use reciprocal::{Reciprocal, ReciprocalSquare};
