@@ -17,13 +17,15 @@ mod error;
 mod excerpt;
 mod expression;
 mod nesting;
+mod problem;
 mod recipe;
 mod table;
 #[cfg(test)]
 mod tests;
 mod text;
 
-pub use error::{FileError, FileProblem};
+pub use error::FileError;
+pub use problem::FileProblem;
 pub use recipe::Recipe;
 
 use crate::symbolic::Expr;

@@ -54,6 +54,7 @@ impl Case for HomogeneousSlab {
                 extinction: vec![self.extinction.clone()],
                 source: vec![Rational::from(&self.extinction * &self.emission)],
             }),
+            ..Structure::default()
         }
     }
 }

@@ -1,11 +1,14 @@
 //! Cases: a field, two transfer functions, a ray length, and the exact answer.
 
+pub mod catalogue;
 pub mod file;
 mod homogeneous_slab;
+pub mod manufacture;
 mod nodes;
 mod reciprocal;
 mod sine_squared;
 mod structure;
+mod symbolic;
 #[cfg(test)]
 mod tests;
 
@@ -14,7 +17,8 @@ pub use homogeneous_slab::HomogeneousSlab;
 pub use nodes::{Column, Fresh, Nodes, Number, Shared};
 pub use reciprocal::{Reciprocal, ReciprocalSquare};
 pub use sine_squared::SineSquared;
-pub use structure::{PolynomialTransfer, Structure};
+pub use structure::{Along, Break, PolynomialTransfer, Structure};
+pub use symbolic::{Formulas, SymbolicCase};
 
 use crate::real::Real;
 use rug::Rational;
@@ -37,7 +41,7 @@ pub struct Transfer<R> {
 /// [`Format::ratio`](crate::real::Format::ratio) and never from binary64.
 pub trait Case: Debug + Send + Sync {
     /// A short name.
-    fn name(&self) -> &'static str;
+    fn name(&self) -> &str;
 
     /// D, the length of the ray.
     fn length(&self) -> Rational;

@@ -66,6 +66,7 @@ impl Case for Reciprocal {
         Structure {
             field_degree: None,
             transfer: Some(powers(&[0, 1], &[1])),
+            ..Structure::default()
         }
     }
 }
@@ -107,6 +108,7 @@ impl Case for ReciprocalSquare {
         Structure {
             field_degree: None,
             transfer: Some(powers(&[0, 1], &[0, 0, 1])),
+            ..Structure::default()
         }
     }
 }

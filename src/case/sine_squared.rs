@@ -50,6 +50,7 @@ impl Case for SineSquared {
         Structure {
             field_degree: Some(1),
             transfer: None,
+            ..Structure::default()
         }
     }
 }

@@ -11,20 +11,49 @@ pub struct PolynomialTransfer {
     pub source: Vec<Rational>,
 }
 
-/// The algebraic form of a case, as far as it is known. Theory takes every case to be
-/// analytic on [0, D]: on one that is not, a method may show less than its expected order.
+/// A place of the ray where τ or C·τ is not analytic.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Break {
+    /// The place as a part of D, where that is rational.
+    pub part: Option<Rational>,
+    /// The power α of the strongest |λ − b|^α in τ at the place b: 0 for a jump, 1 for a kink; `None`
+    /// where τ is analytic.
+    pub extinction: Option<Rational>,
+    /// The same of C·τ.
+    pub source: Option<Rational>,
+}
+
+/// The algebraic form of a case, as far as it is known.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct Structure {
     /// The degree of s(λ), where the field is a polynomial.
     pub field_degree: Option<usize>,
     /// τ(s) and C(s)·τ(s), where both are polynomials.
     pub transfer: Option<PolynomialTransfer>,
+    /// What is known of τ and C·τ as functions of λ beyond what follows from the field and `transfer`.
+    pub along: Along,
+    /// Where the case is not analytic on [0, D]; everywhere else it is.
+    pub breaks: Vec<Break>,
+}
+
+/// What is known of τ and C·τ along the ray. The default is to know nothing.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct Along {
+    /// The degree of τ in λ, where that is a polynomial.
+    pub extinction_degree: Option<usize>,
+    /// C·τ is certainly the same everywhere.
+    pub source_is_constant: bool,
+    /// C·τ is certainly 0 everywhere.
+    pub source_is_zero: bool,
 }
 
 impl Structure {
     /// The degree of τ(s(λ)) in λ, where that is a polynomial.
     #[must_use]
     pub fn extinction_degree(&self) -> Option<usize> {
+        if self.along.extinction_degree.is_some() {
+            return self.along.extinction_degree;
+        }
         match self.field_degree {
             Some(field) => self.extinction_degree_of(field),
             // τ may still be constant, whatever the field.
@@ -37,6 +66,7 @@ impl Structure {
     pub fn extinction_degree_of(&self, field: usize) -> Option<usize> {
         match &self.transfer {
             Some(transfer) => Some(degree(&transfer.extinction) * field),
+            // τ may be constant along the ray for the field alone.
             None => Some(0).filter(|_| field == 0),
         }
     }
@@ -45,9 +75,9 @@ impl Structure {
     /// unknown.
     #[must_use]
     pub fn source_is_zero(&self) -> bool {
-        self.transfer
-            .as_ref()
-            .is_some_and(|transfer| transfer.source.iter().all(|c| *c == 0))
+        let by_transfer = self.transfer.as_ref();
+        self.along.source_is_zero
+            || by_transfer.is_some_and(|transfer| transfer.source.iter().all(|c| *c == 0))
     }
 
     /// Whether C·τ is the same everywhere: then an interpolation error of the field cannot show in
@@ -55,6 +85,7 @@ impl Structure {
     #[must_use]
     pub fn source_is_constant(&self) -> bool {
         self.field_degree == Some(0)
+            || self.along.source_is_constant
             || self
                 .transfer
                 .as_ref()

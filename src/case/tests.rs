@@ -158,6 +158,7 @@ fn degrees_follow_from_field_and_transfer() {
             extinction: extinction.iter().map(|&c| c.into()).collect(),
             source: source.iter().map(|&c| c.into()).collect(),
         }),
+        ..Structure::default()
     };
     let cubic = structure(Some(3), &[1, 0, 5, 0], &[2, 0]);
     assert_eq!(cubic.extinction_degree(), Some(6));
@@ -172,6 +173,7 @@ fn degrees_follow_from_field_and_transfer() {
     let unknown = |field_degree| Structure {
         field_degree,
         transfer: None,
+        ..Structure::default()
     };
     assert_eq!(unknown(Some(0)).extinction_degree(), Some(0));
     assert_eq!(unknown(Some(1)).extinction_degree(), None);

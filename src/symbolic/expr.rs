@@ -1,7 +1,7 @@
 //! Expressions: exact numbers, symbols, arithmetic, elementary functions, branches.
 
 use super::function::Function;
-use rug::Rational;
+use rug::{Integer, Rational};
 use std::collections::HashSet;
 use std::collections::hash_map::DefaultHasher;
 use std::fmt::{self, Debug};
@@ -371,24 +371,31 @@ impl Expr {
     }
 }
 
-/// qᵉ for an integer e, where it exists and is of reasonable size.
+/// qᵉ, where it is rational and of reasonable size.
 fn power_of_number(q: &Rational, exponent: &Rational) -> Option<Rational> {
-    if *exponent.denom() != 1 {
-        return None;
+    if *q == 0 {
+        return (*exponent > 0).then(Rational::new);
     }
+    let base = match exponent.denom().to_u32()? {
+        1 => q.clone(),
+        _ if *q < 0 => return None,
+        degree => Rational::from((root(q.numer(), degree)?, root(q.denom(), degree)?)),
+    };
     let exponent = exponent.numer().to_i32()?;
-    if *q == 0 && exponent <= 0 {
+    let bits = base
+        .numer()
+        .significant_bits()
+        .max(base.denom().significant_bits());
+    if bits > 1 && u64::from(bits) * u64::from(exponent.unsigned_abs()) > MAX_FOLDED_BITS {
         return None;
     }
-    let bits = u64::from(
-        q.numer()
-            .significant_bits()
-            .max(q.denom().significant_bits()),
-    );
-    if bits > 1 && bits * u64::from(exponent.unsigned_abs()) > MAX_FOLDED_BITS {
-        return None;
-    }
-    Some(rug::ops::Pow::pow(q.clone(), exponent))
+    Some(rug::ops::Pow::pow(base, exponent))
+}
+
+/// The root of that degree, where it is an integer.
+fn root(n: &Integer, degree: u32) -> Option<Integer> {
+    let (root, rest) = n.clone().root_rem(Integer::new(), degree);
+    (rest == 0).then_some(root)
 }
 
 impl PartialEq for Expr {

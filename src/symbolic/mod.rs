@@ -20,7 +20,9 @@ pub use expr::{Branch, Condition, Expr, Kind, Relation};
 pub use facts::Facts;
 pub use function::Function;
 pub use parse::{MAX_DEPTH, MAX_EXPONENT, MAX_TEXT, MAX_TOKENS, ParseError, Problem, parse_number};
-pub use program::{Bound, CompileError, Constant, Instruction, Operand, Operation, Program};
+pub use program::{
+    Bound, CompileError, Constant, Instruction, KeptProgram, Operand, Operation, Program,
+};
 pub use quotient::{expand, quotient};
 
 mod decide;
@@ -37,3 +39,7 @@ pub use refute::{Witness, refute_zero};
 
 pub mod code;
 mod latex;
+mod normal_form;
+mod zero_test;
+pub use normal_form::{MAX_PRODUCTS, Reduction, reduce};
+pub use zero_test::{ZeroTest, zero_test};

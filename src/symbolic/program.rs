@@ -2,12 +2,14 @@
 
 mod compile;
 mod instruction;
+mod kept;
 mod run;
 #[cfg(test)]
 mod tests;
 
 pub use compile::CompileError;
 pub use instruction::{Instruction, Operand, Operation};
+pub use kept::KeptProgram;
 pub use run::Bound;
 
 use crate::real::Format;
@@ -90,6 +92,20 @@ impl Program {
 
     /// The program with its constants in `format`.
     pub fn bind<F: Format>(&self, format: F) -> Bound<'_, F> {
-        Bound::new(self, format)
+        Bound {
+            program: self,
+            format,
+            constants: self.constants_in(format),
+        }
+    }
+
+    fn constants_in<F: Format>(&self, format: F) -> Arc<[F::Real]> {
+        let constants = self.constants.iter();
+        constants
+            .map(|constant| match constant {
+                Constant::Rational(q) => format.ratio(q),
+                Constant::Pi => format.pi(),
+            })
+            .collect()
     }
 }

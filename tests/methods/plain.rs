@@ -52,6 +52,7 @@ impl Case for Ramp {
         Structure {
             field_degree: Some(1),
             transfer: None,
+            ..Structure::default()
         }
     }
 }

@@ -1,9 +1,9 @@
 //! Exact numbers, and expressions with the parameters put in.
 
-use super::error::{FileError, FileProblem};
 use super::table::{Entry, Table};
+use super::{FileError, FileProblem, MAX_NAME};
 use crate::symbolic::{Expr, Kind, ParseError, Problem, parse_number};
-use rug::Rational;
+use rug::{Integer, Rational};
 use std::collections::BTreeMap;
 use toml::de::DeValue;
 
@@ -21,7 +21,7 @@ impl Parameters {
                 let name = entry.name_of_key();
                 // Whatever reads as one symbol can be a symbol: pi and functions do not.
                 let symbol = name.parse() == Ok(Expr::symbol(name));
-                if !symbol || ["lambda", "s", "t"].contains(&name) {
+                if !symbol || name.len() > MAX_NAME || ["lambda", "s", "t"].contains(&name) {
                     let text = name.into();
                     return Err(entry.error(FileProblem::Parameter { text }));
                 }
@@ -113,7 +113,7 @@ fn number(entry: &Entry<'_>) -> Result<Rational, FileError> {
         }
         _ => return Err(entry.type_error("an integer, or a number in quotes")),
     };
-    let bits = [number.numer(), number.denom()].map(|part| part.significant_bits());
+    let bits = [number.numer(), number.denom()].map(Integer::significant_bits);
     if bits.into_iter().any(|bits| bits > MAX_BITS) {
         return Err(entry.value_error(FileProblem::Digits { key: key() }));
     }

@@ -1,6 +1,6 @@
 //! Keys of very many parts are refused before the TOML reader makes nested tables of them.
 
-use super::error::{FileError, FileProblem};
+use super::{FileError, FileProblem};
 use toml_parser::Source;
 use toml_parser::lexer::TokenKind;
 

@@ -1,7 +1,7 @@
 //! Which keys of a file go together.
 
-use super::error::{FileError, FileProblem};
 use super::table::{Entry, Table};
+use super::{FileError, FileProblem};
 
 /// What a file gives, and what follows from it.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

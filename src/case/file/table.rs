@@ -1,7 +1,7 @@
 //! Tables of a file whose entries know their places.
 
-use super::error::{FileError, FileProblem};
 use super::excerpt::Place;
+use super::{FileError, FileProblem};
 use toml::Spanned;
 use toml::de::{DeTable, DeValue};
 

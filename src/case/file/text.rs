@@ -1,7 +1,7 @@
 //! Names, titles and tags.
 
-use super::error::{FileError, FileProblem};
 use super::table::{Entry, Table};
+use super::{FileError, FileProblem};
 use super::{MAX_NAME, MAX_TITLE};
 
 /// Refuses what is not kebab-case.

@@ -52,6 +52,7 @@ impl Case for Bowl {
                 extinction: vec![1.into(), 1.into(), (1, 3).into()],
                 source: vec![2.into(), 1.into(), (-1, 4).into()],
             }),
+            ..Structure::default()
         }
     }
 }

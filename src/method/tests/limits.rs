@@ -40,6 +40,7 @@ fn a_source_of_nothing_is_exact_by_every_method() {
             extinction: vec![Rational::from(1), Rational::from(2)],
             source: vec![Rational::new(); 2],
         }),
+        ..Structure::default()
     };
     let nested = Nested {
         inner: Inner::PerSegment(Rule::Trapezoid),
@@ -62,6 +63,7 @@ fn sub_intervals_that_integrate_a_low_field_exactly_limit_nothing() {
             extinction: vec![Rational::new(), Rational::from(1)],
             source: vec![Rational::from(1)],
         }),
+        ..Structure::default()
     };
     let opacity = Opacity {
         interpolant: Interpolant::QuadraticMidpoint,

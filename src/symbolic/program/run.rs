@@ -1,9 +1,10 @@
 //! Running a program over many places at once.
 
-use super::{Constant, Operand, Operation, Program};
+use super::{Operand, Operation, Program};
 use crate::real::{Format, Real};
 use crate::symbolic::Function;
 use std::cmp::Ordering;
+use std::sync::Arc;
 
 /// Places that are computed side by side: enough for the loops to be long, few enough for a cache.
 const LANES: usize = 64;
@@ -11,9 +12,9 @@ const LANES: usize = 64;
 /// A program with its constants in one format.
 #[derive(Clone, Debug)]
 pub struct Bound<'p, F: Format> {
-    program: &'p Program,
-    format: F,
-    constants: Vec<F::Real>,
+    pub(super) program: &'p Program,
+    pub(super) format: F,
+    pub(super) constants: Arc<[F::Real]>,
 }
 
 /// One value for each lane, or the same for all.
@@ -30,23 +31,7 @@ impl<R> Clone for Values<'_, R> {
 
 impl<R> Copy for Values<'_, R> {}
 
-impl<'p, F: Format> Bound<'p, F> {
-    pub(super) fn new(program: &'p Program, format: F) -> Self {
-        let constants = program
-            .constants
-            .iter()
-            .map(|constant| match constant {
-                Constant::Rational(q) => format.ratio(q),
-                Constant::Pi => format.pi(),
-            })
-            .collect();
-        Bound {
-            program,
-            format,
-            constants,
-        }
-    }
-
+impl<F: Format> Bound<'_, F> {
     /// Appends the values of output k at every place to `outputs[k]`.
     ///
     /// `inputs[i]` are the values of input i; where they are of different lengths, the shortest counts.

@@ -1,0 +1,111 @@
+//! The method of manufactured solutions: cases from a chosen depth and radiance, checked rigorously.
+//!
+//! With t and I given, τ = t′ and C = I′/(τ e^(−t)) make I the exact radiance. Or, with t and a polynomial
+//! P ≥ 0 given, C = P(t) and I = P̃(0) − P̃(t) e^(−t), P̃ = P + P′ + P″ + …, since
+//! (−P̃(t) e^(−t))′ = (P̃ − P̃′)(t) t′ e^(−t) = P(t) τ e^(−t); this cannot fail. Or everything is given, and
+//! t′ = τ and I′ = C τ e^(−t) are claims.
+//!
+//! Whatever the way, the same statements are tested of the result, so that it does not matter whether
+//! the derivation has a mistake: see [`Statement`]. What they rest on is the zero test and interval
+//! arithmetic of [`symbolic`](crate::symbolic).
+
+mod checks;
+mod derive;
+mod error;
+mod polynomial;
+mod regularity;
+mod statement;
+mod structure;
+#[cfg(test)]
+mod tests;
+
+pub use error::ManufactureError;
+pub use statement::{Check, Outcome, Statement};
+
+use super::file::{ChannelDescription, Description};
+use super::{Case, Formulas, SymbolicCase};
+use crate::symbolic::Expr;
+
+/// A case that was derived or claimed, with what was checked of it.
+#[derive(Clone, Debug)]
+pub struct Manufactured {
+    /// The channel it is; a case without channels has one without a name.
+    pub channel: Option<String>,
+    /// The case. Its name is the file's, with the channel's behind a slash.
+    pub case: SymbolicCase,
+    /// τ(s(λ)), of `lambda`.
+    pub extinction: Expr,
+    /// C(s(λ)), of `lambda`.
+    pub emission: Expr,
+    /// What was checked, in the order of [`Statement`].
+    pub checks: Vec<Check>,
+}
+
+impl Manufactured {
+    /// Whether the closed form is proved: both derivatives and what holds at the near end.
+    #[must_use]
+    pub fn is_proved(&self) -> bool {
+        self.checks
+            .iter()
+            .filter(|check| check.statement.is_of_closed_form())
+            .all(|check| check.outcome == Outcome::Proved)
+    }
+
+    /// Whether C ≥ 0 and finite is proved, as a renderer has a right to expect.
+    #[must_use]
+    pub fn suits_kernels(&self) -> bool {
+        let needed = [
+            Statement::ExtinctionNonNegative,
+            Statement::EmissionDefined,
+            Statement::EmissionNonNegative,
+        ];
+        self.checks
+            .iter()
+            .filter(|check| needed.contains(&check.statement))
+            .all(|check| check.outcome == Outcome::Proved)
+    }
+
+    /// Whether C·τ is the same everywhere, so that the case cannot show an error of interpolated sources.
+    #[must_use]
+    pub fn is_degenerate_for_preintegration(&self) -> bool {
+        self.case.structure().source_is_constant()
+    }
+}
+
+/// Derives the case of each channel, and checks it.
+///
+/// # Errors
+/// [`ManufactureError`] where a case cannot be derived, or a statement is refuted that no case can do
+/// without. C < 0 is none of those: an analytic case may have it, a renderer may not.
+pub fn manufacture(description: &Description) -> Result<Vec<Manufactured>, ManufactureError> {
+    let channels = description.channels.iter();
+    channels.map(|channel| one(description, channel)).collect()
+}
+
+fn one(
+    description: &Description,
+    channel: &ChannelDescription,
+) -> Result<Manufactured, ManufactureError> {
+    let derived = derive::derive(description, channel)?;
+    let checks = checks::all(description, &derived);
+    checks::refuse(&checks)?;
+    let structure = structure::of(&description.length, &derived);
+    let name = match &channel.name {
+        Some(channel) => format!("{}/{channel}", description.name),
+        None => description.name.clone(),
+    };
+    let formulas = Formulas {
+        field: derived.field,
+        extinction: derived.extinction_of_field,
+        emission: derived.emission_of_field,
+        optical_depth: derived.depth,
+        radiance: derived.radiance,
+    };
+    Ok(Manufactured {
+        channel: channel.name.clone(),
+        case: SymbolicCase::new(&name, description.length.clone(), formulas, structure)?,
+        extinction: derived.extinction,
+        emission: derived.emission,
+        checks,
+    })
+}

@@ -1,0 +1,233 @@
+//! The statements of a case, one after the other.
+
+use super::derive::{Derived, shortest};
+use super::{Check, ManufactureError, Outcome, Statement};
+use crate::case::file::Description;
+use crate::symbolic::{
+    Claim, Decision, Expr, Interval, ZeroTest, decide, expand, pieces, zero_test,
+};
+use rug::{Float, Rational};
+
+/// All statements that apply.
+pub(super) fn all(description: &Description, derived: &Derived) -> Vec<Check> {
+    let length = &description.length;
+    let lambda = Expr::symbol("lambda");
+    let is_zero = |expr: &Expr| vanishes(expr, length);
+    let holds = |expr: &Expr, claim| decided(expr, length, claim);
+    let source = derived.source();
+    let mut checks = Vec::new();
+    let mut add = |statement, outcome| checks.push(Check { statement, outcome });
+
+    if let Some(inverse) = &derived.inverse {
+        let back = inverse.substitute("s", &derived.field);
+        add(Statement::Inverse, is_zero(&(back - lambda)));
+    }
+    add(
+        Statement::FieldDefined,
+        holds(&derived.field, Claim::Defined),
+    );
+    add(Statement::DepthAtZero, at_zero(&derived.depth, length));
+    add(
+        Statement::DepthContinuous,
+        continuous(&derived.depth, length),
+    );
+    let change = derived.depth.differentiate("lambda") - derived.extinction.clone();
+    add(Statement::DepthDerivative, is_zero(&change));
+    add(
+        Statement::ExtinctionDefined,
+        holds(&derived.extinction, Claim::Defined),
+    );
+    add(
+        Statement::ExtinctionNonNegative,
+        holds(&derived.extinction, Claim::NonNegative),
+    );
+    add(
+        Statement::RadianceAtZero,
+        at_zero(&derived.radiance, length),
+    );
+    add(
+        Statement::RadianceContinuous,
+        continuous(&derived.radiance, length),
+    );
+    let change = derived.radiance.differentiate("lambda") - source;
+    add(Statement::RadianceDerivative, is_zero(&change));
+    add(
+        Statement::EmissionDefined,
+        emission_defined(derived, length),
+    );
+    add(
+        Statement::EmissionNonNegative,
+        emission_nonnegative(derived, length),
+    );
+    checks
+}
+
+/// The first statement that is refuted and that no case can do without.
+pub(super) fn refuse(checks: &[Check]) -> Result<(), ManufactureError> {
+    for check in checks {
+        if let Outcome::Refuted { witness, value } = &check.outcome
+            && !check.statement.is_optional()
+        {
+            return Err(ManufactureError::Refuted {
+                statement: check.statement,
+                witness: witness.clone(),
+                value: value.clone(),
+            });
+        }
+    }
+    Ok(())
+}
+
+impl Derived {
+    /// C τ e^(−t).
+    pub(super) fn source(&self) -> Expr {
+        Expr::product([
+            self.emission.clone(),
+            self.extinction.clone(),
+            (-&self.depth).exp(),
+        ])
+    }
+}
+
+/// Whether an expression of λ is 0 on the ray.
+fn vanishes(expr: &Expr, length: &Rational) -> Outcome {
+    let ranges = [("lambda".to_string(), Rational::new(), length.clone())];
+    match zero_test(expr, &ranges) {
+        ZeroTest::Proved => Outcome::Proved,
+        ZeroTest::Refuted(witness) => Outcome::Refuted {
+            witness: witness
+                .at
+                .into_iter()
+                .next()
+                .map(|(_, at)| at)
+                .unwrap_or_default(),
+            value: Some(witness.value),
+        },
+        ZeroTest::Unknown => Outcome::Undecided { near: None },
+    }
+}
+
+/// Whether a constant is 0; `at` is where it is the value of something.
+pub(super) fn constant_vanishes(constant: &Expr, at: &Rational) -> Outcome {
+    match zero_test(constant, &[]) {
+        ZeroTest::Proved => Outcome::Proved,
+        ZeroTest::Refuted(witness) => Outcome::Refuted {
+            witness: at.clone(),
+            value: Some(witness.value),
+        },
+        ZeroTest::Unknown => Outcome::Undecided {
+            near: Some(at.clone()),
+        },
+    }
+}
+
+/// Whether an expression of λ is 0 at the near end.
+fn at_zero(expr: &Expr, length: &Rational) -> Outcome {
+    let zero = Rational::new();
+    let cut = pieces(std::slice::from_ref(expr), "lambda", &zero, length);
+    let Some(first) = cut.ok().and_then(|cut| cut.into_iter().next()) else {
+        return Outcome::Undecided { near: Some(zero) };
+    };
+    let constant = Expr::sum(first.exprs).substitute("lambda", &Expr::number(0));
+    if constant.enclose(64, &|_| None).is_err() {
+        return Outcome::Refuted {
+            witness: zero,
+            value: None,
+        };
+    }
+    constant_vanishes(&constant.simplify(), &zero)
+}
+
+/// Whether the pieces of an expression of λ meet.
+fn continuous(expr: &Expr, length: &Rational) -> Outcome {
+    let cut = pieces(
+        std::slice::from_ref(expr),
+        "lambda",
+        &Rational::new(),
+        length,
+    );
+    let Ok(cut) = cut else {
+        return Outcome::Undecided { near: None };
+    };
+    let mut undecided = None;
+    for pair in cut.windows(2) {
+        let [before, after] = pair else { continue };
+        let place = &after.from;
+        let near = place.bracket.0.clone();
+        let Some(exact) = &place.exact else {
+            undecided = Some(near);
+            continue;
+        };
+        let at = |exprs: &[Expr]| exprs.first().map(|e| e.substitute("lambda", exact));
+        let (Some(left), Some(right)) = (at(&before.exprs), at(&after.exprs)) else {
+            continue;
+        };
+        match constant_vanishes(&(left - right), &near) {
+            Outcome::Proved => {}
+            refuted @ Outcome::Refuted { .. } => return refuted,
+            Outcome::Undecided { .. } => undecided = Some(near),
+        }
+    }
+    match undecided {
+        None => Outcome::Proved,
+        near => Outcome::Undecided { near },
+    }
+}
+
+/// A claim on an expression of λ, in whichever of its forms it can be decided.
+fn decided(expr: &Expr, length: &Rational, claim: Claim) -> Outcome {
+    let mut forms = vec![expr.clone(), shortest(expr)];
+    forms.extend(expand(expr));
+    forms.dedup();
+    let mut near = None;
+    for form in forms {
+        match decide(&form, "lambda", &Rational::new(), length, claim) {
+            Decision::Proved => return Outcome::Proved,
+            Decision::Refuted { witness, value } => return Outcome::Refuted { witness, value },
+            Decision::Undecided { near: at } => near = Some(at),
+        }
+    }
+    Outcome::Undecided { near }
+}
+
+/// C finite. Where it is 0/0 nothing is known of it: the quotient may have a limit that no formula shows.
+fn emission_defined(derived: &Derived, length: &Rational) -> Outcome {
+    match decided(&derived.emission, length, Claim::Defined) {
+        Outcome::Refuted { witness, value } => {
+            let at = |name: &str| (name == "lambda").then(|| Interval::point(128, &witness));
+            let vanishes = |expr: &Expr| expr.enclose(128, &at).is_ok_and(|v| v.contains_zero());
+            if vanishes(&derived.extinction) && vanishes(&derived.radiance.differentiate("lambda"))
+            {
+                Outcome::Undecided {
+                    near: Some(witness),
+                }
+            } else {
+                Outcome::Refuted { witness, value }
+            }
+        }
+        outcome => outcome,
+    }
+}
+
+/// C ≥ 0, where it is a function of the depth by that function too.
+fn emission_nonnegative(derived: &Derived, length: &Rational) -> Outcome {
+    let outcome = decided(&derived.emission, length, Claim::NonNegative);
+    if let (Outcome::Undecided { .. }, Some(emission)) = (&outcome, &derived.emission_of_depth) {
+        let over = |name: &str| (name == "lambda").then(|| Interval::point(64, length));
+        // The depth never falls: it is greatest at the far end.
+        let greatest = derived.depth.enclose(64, &over).ok();
+        let greatest = greatest.and_then(|depth| Float::to_rational(depth.upper()));
+        if let Some(greatest) = greatest
+            && decide(
+                emission,
+                "t",
+                &Rational::new(),
+                &greatest,
+                Claim::NonNegative,
+            ) == Decision::Proved
+        {
+            return Outcome::Proved;
+        }
+    }
+    outcome
+}

@@ -1,0 +1,119 @@
+//! What theory needs to know of a derived case.
+
+use super::derive::Derived;
+use super::regularity::{at_near_end, where_pieces_meet};
+use crate::case::{Along, Break, PolynomialTransfer, Structure};
+use crate::symbolic::{Expr, Kind, ZeroTest, expand, pieces, zero_test};
+use rug::Rational;
+
+/// The highest degree that counts as a polynomial.
+const MAX_DEGREE: usize = 64;
+
+pub(super) fn of(length: &Rational, derived: &Derived) -> Structure {
+    let source = Expr::product([derived.emission.clone(), derived.extinction.clone()]);
+    let extinction_of_field = coefficients(&derived.extinction_of_field, "s");
+    let source_of_field = coefficients(
+        &Expr::product([
+            derived.emission_of_field.clone(),
+            derived.extinction_of_field.clone(),
+        ]),
+        "s",
+    );
+    let degree = |expr: &Expr| coefficients(expr, "lambda").map(|c| c.len().saturating_sub(1));
+    let ranges = [("lambda".to_string(), Rational::new(), length.clone())];
+    let vanishes = |expr: &Expr| zero_test(expr, &ranges) == ZeroTest::Proved;
+    let breaks = breaks(length, &derived.extinction, &source);
+    Structure {
+        field_degree: degree(&derived.field),
+        transfer: extinction_of_field
+            .zip(source_of_field)
+            .map(|(extinction, source)| PolynomialTransfer { extinction, source }),
+        along: Along {
+            extinction_degree: degree(&derived.extinction),
+            source_is_constant: breaks.iter().all(|b| b.source.is_none())
+                && vanishes(&source.differentiate("lambda")),
+            source_is_zero: vanishes(&source),
+        },
+        breaks,
+    }
+}
+
+/// The coefficients of a polynomial, that of degree 0 first; none for 0.
+fn coefficients(expr: &Expr, symbol: &str) -> Option<Vec<Rational>> {
+    let expanded = expand(expr)?;
+    let terms = match expanded.kind() {
+        Kind::Sum(terms) => terms.clone(),
+        _ => vec![expanded.clone()],
+    };
+    let mut all = Vec::new();
+    for term in terms {
+        let (coefficient, power) = match term.kind() {
+            Kind::Product(factors) => match &factors[..] {
+                [coefficient, power] => (coefficient.as_number()?.clone(), power.clone()),
+                _ => return None,
+            },
+            Kind::Number(q) => (q.clone(), Expr::number(1)),
+            _ => (Rational::from(1), term.clone()),
+        };
+        let degree = match power.kind() {
+            Kind::Number(_) => 0,
+            Kind::Symbol(name) if **name == *symbol => 1,
+            Kind::Power(base, exponent) if *base == Expr::symbol(symbol) => {
+                let degree = exponent
+                    .numer()
+                    .to_usize()
+                    .filter(|_| *exponent.denom() == 1)?;
+                Some(degree).filter(|degree| *degree <= MAX_DEGREE)?
+            }
+            _ => return None,
+        };
+        if all.len() <= degree {
+            all.resize(degree + 1, Rational::new());
+        }
+        all[degree] += coefficient;
+    }
+    while all.last().is_some_and(|c| *c == 0) {
+        all.pop();
+    }
+    Some(all)
+}
+
+/// Where τ or C·τ is not analytic.
+fn breaks(length: &Rational, extinction: &Expr, source: &Expr) -> Vec<Break> {
+    let both = [extinction.clone(), source.clone()];
+    let Ok(pieces) = pieces(&both, "lambda", &Rational::new(), length) else {
+        // Somewhere, nobody knows where or how.
+        return vec![Break {
+            part: None,
+            extinction: Some(Rational::new()),
+            source: Some(Rational::new()),
+        }];
+    };
+    let mut breaks = Vec::new();
+    let mut add = |part, extinction: Option<Rational>, source: Option<Rational>| {
+        if extinction.is_some() || source.is_some() {
+            breaks.push(Break {
+                part,
+                extinction,
+                source,
+            });
+        }
+    };
+    if let Some(first) = pieces.first()
+        && let [extinction, source] = &first.exprs[..]
+    {
+        add(
+            Some(Rational::new()),
+            at_near_end(first, extinction),
+            at_near_end(first, source),
+        );
+    }
+    for pair in pieces.windows(2) {
+        let [before, after] = pair else { continue };
+        let place = &after.from;
+        let part = place.as_rational().map(|at| Rational::from(at / length));
+        let power = |i: usize| where_pieces_meet(before.exprs.get(i)?, after.exprs.get(i)?, place);
+        add(part, power(0), power(1));
+    }
+    breaks
+}

@@ -1,0 +1,120 @@
+//! Cases made of expressions.
+
+use super::{Case, Structure, Transfer};
+use crate::real::Real;
+use crate::symbolic::{CompileError, Expr, KeptProgram, Program};
+use rug::Rational;
+use std::sync::Arc;
+
+/// The formulas of a case.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Formulas {
+    /// s(λ), of `lambda`.
+    pub field: Expr,
+    /// τ(s), of `s`.
+    pub extinction: Expr,
+    /// C(s), of `s`.
+    pub emission: Expr,
+    /// t(λ), of `lambda`.
+    pub optical_depth: Expr,
+    /// I(λ), of `lambda`.
+    pub radiance: Expr,
+}
+
+/// A case made of expressions, compiled; cheap to clone.
+#[derive(Clone, Debug)]
+pub struct SymbolicCase(Arc<Inner>);
+
+#[derive(Debug)]
+struct Inner {
+    name: String,
+    length: Rational,
+    formulas: Formulas,
+    structure: Structure,
+    field: KeptProgram,
+    /// C and τ.
+    transfer: KeptProgram,
+    extinction: KeptProgram,
+    optical_depth: KeptProgram,
+    radiance: KeptProgram,
+}
+
+impl SymbolicCase {
+    /// The case of that name on a ray of that length. Nothing is checked of the formulas but their symbols.
+    ///
+    /// # Errors
+    /// [`CompileError`] where a formula has another symbol than its own.
+    pub fn new(
+        name: &str,
+        length: Rational,
+        formulas: Formulas,
+        structure: Structure,
+    ) -> Result<Self, CompileError> {
+        let compile = |outputs: &[&Expr], input: &str| {
+            let outputs: Vec<Expr> = outputs.iter().map(|&output| output.clone()).collect();
+            Program::new(&outputs, &[input]).map(KeptProgram::new)
+        };
+        Ok(SymbolicCase(Arc::new(Inner {
+            name: name.into(),
+            length,
+            field: compile(&[&formulas.field], "lambda")?,
+            transfer: compile(&[&formulas.emission, &formulas.extinction], "s")?,
+            extinction: compile(&[&formulas.extinction], "s")?,
+            optical_depth: compile(&[&formulas.optical_depth], "lambda")?,
+            radiance: compile(&[&formulas.radiance], "lambda")?,
+            formulas,
+            structure,
+        })))
+    }
+
+    /// Its formulas.
+    #[must_use]
+    pub fn formulas(&self) -> &Formulas {
+        &self.0.formulas
+    }
+}
+
+/// The only output of a program; NaN cannot come of it, since every program here has one.
+fn only<R: Real>(program: &KeptProgram, input: &R) -> R {
+    let mut values = program.at(input);
+    values.pop().unwrap_or_else(|| input.clone())
+}
+
+impl Case for SymbolicCase {
+    fn name(&self) -> &str {
+        &self.0.name
+    }
+
+    fn length(&self) -> Rational {
+        self.0.length.clone()
+    }
+
+    fn field<R: Real>(&self, lambda: &R) -> R {
+        only(&self.0.field, lambda)
+    }
+
+    fn transfer<R: Real>(&self, s: &R) -> Transfer<R> {
+        let mut values = self.0.transfer.at(s).into_iter();
+        let mut next = || values.next().unwrap_or_else(|| s.clone());
+        Transfer {
+            emission: next(),
+            extinction: next(),
+        }
+    }
+
+    fn extinction<R: Real>(&self, s: &R) -> R {
+        only(&self.0.extinction, s)
+    }
+
+    fn optical_depth<R: Real>(&self, lambda: &R) -> R {
+        only(&self.0.optical_depth, lambda)
+    }
+
+    fn radiance<R: Real>(&self, lambda: &R) -> R {
+        only(&self.0.radiance, lambda)
+    }
+
+    fn structure(&self) -> Structure {
+        self.0.structure.clone()
+    }
+}
