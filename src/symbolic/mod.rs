@@ -41,5 +41,5 @@ pub mod code;
 mod latex;
 mod normal_form;
 mod zero_test;
-pub use normal_form::{MAX_PRODUCTS, Reduction, reduce};
+pub use normal_form::{MAX_TERMS, MAX_WORK, Reduction, reduce};
 pub use zero_test::{ZeroTest, zero_test};

@@ -1,89 +1,91 @@
-//! A normal form that proves identities: exponential polynomials over ℚ(i).
+//! The algebraic half of a zero test.
 //!
-//! A polynomial is a sum of monomials with coefficients in ℚ(i); a monomial is e^E times powers of atoms,
-//! where the exponent E is itself such a polynomial. Sines, cosines and hyperbolic functions become
-//! exponentials, e^a e^b = e^(a+b), e^(k ln u) = uᵏ; ln, roots, erf and atan are atoms of what they are
-//! functions of, and so is the divisor of a quotient, until all divisors are cleared at the end. Equal
-//! polynomials, monomials and atoms are stored once, and products of monomials are remembered.
+//! An expression is written as an exponential polynomial over ℚ(i): a sum of coefficients times monomials
+//! exp(E) · ∏ atomᵏ, where E is a polynomial again. Sines and cosines are exponentials by Euler's formulas,
+//! exp(a)·exp(b) is exp(a + b), and symbols, π, logarithms, radicals, inverses of sums, |x|, atan and erf
+//! are atoms. Inverses are cleared at the end. What is then 0 term by term is 0, since every step is an
+//! identity wherever the expression is defined.
 //!
-//! Where the normal form is 0 the expression is 0 wherever it has a value: every step is an identity
-//! there. The other way round nothing follows, since atoms may depend on each other in ways that are not
-//! known here. What is *not* used, because it fails somewhere: ln(ab) = ln a + ln b, √(x²) = x,
-//! atan(tan x) = x.
+//! The other direction isn't promised: relations between ln, radicals, atan, erf, |x| and powers of e^π are
+//! not known here, so what isn't 0 term by term may be 0 still. No test could know all: D. Richardson, *Some
+//! undecidable problems involving elementary functions of a real variable*, J. Symb. Logic 33 (1968). For
+//! rational functions and the exponentials, sines and cosines of rational functions, all with rational
+//! coefficients, the normal form is 0 exactly where the function is (Lindemann and Weierstrass).
 
 mod arena;
-mod atoms;
 mod coefficient;
-mod convert;
-mod numbers;
-mod order;
-mod products;
+mod conjugate;
+mod exponential;
+mod multiply;
+mod number;
+mod opaque;
+mod polynomial;
+mod power;
+mod quotient;
+mod ratio;
 #[cfg(test)]
 mod tests;
+mod translate;
 
 use super::{Expr, Kind};
-use arena::Arena;
+use arena::{Arena, Stop};
 
-/// Products of terms that are worked out before a normal form is given up.
-pub const MAX_PRODUCTS: usize = 200_000;
+/// The most terms of a sum that are kept.
+pub const MAX_TERMS: usize = 1 << 14;
+
+/// The most products of terms that are worked out, those of long coefficients counted more.
+pub const MAX_WORK: u64 = 1 << 22;
 
 /// What the normal form says of an expression.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Reduction {
-    /// It is 0: so is the expression, wherever it has a value. This is a proof.
+    /// The normal form is 0: so is the expression, wherever it is defined. A proof.
     Zero,
-    /// It is not 0, which proves nothing.
+    /// The normal form isn't 0: says nothing (algebraic relations between its atoms may be unknown).
     Nonzero {
-        /// How many terms are left.
+        /// How many terms the normal form has, its inverses cleared.
         terms: usize,
     },
-    /// The expression has min, max or piecewise in it: it has to be cut into pieces first.
+    /// A min, max or piecewise.
     Branches,
-    /// A divisor, or the argument of a logarithm, is 0: the expression has no value anywhere.
-    Undefined,
-    /// It takes more than [`MAX_PRODUCTS`] products of terms.
+    /// A divisor or an argument of a logarithm whose normal form is 0: the expression is defined nowhere.
+    DivisionByZero,
+    /// More terms or more work than the budget, [`MAX_TERMS`] and [`MAX_WORK`].
     TooLarge,
 }
 
-/// Why there is no normal form.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-enum Stop {
-    Branches,
-    Undefined,
-    TooLarge,
-}
-
-/// The normal form of an expression, as far as what it says.
+/// Brings an expression into normal form, exactly.
+///
+/// [`Reduction::Zero`] is a proof that the expression is 0 wherever it is defined; an expression that is
+/// defined nowhere may be so, too. [`Reduction::Nonzero`] proves nothing.
 ///
 /// ```
 /// use volver::symbolic::{Expr, Reduction, reduce};
 ///
-/// let identity: Expr = "sin(x)^2 + cos(x)^2 - 1".parse()?;
-/// assert_eq!(reduce(&identity), Reduction::Zero);
+/// let zero: Expr = "sin(2*x) - 2*sin(x)*cos(x)".parse()?;
+/// assert_eq!(reduce(&zero), Reduction::Zero);
 /// # Ok::<(), volver::symbolic::ParseError>(())
 /// ```
 #[must_use]
 pub fn reduce(expr: &Expr) -> Reduction {
-    let has_branches = |node: &&Expr| {
+    let nodes = expr.nodes();
+    let branches = |node: &&Expr| {
         matches!(
             node.kind(),
             Kind::Min(..) | Kind::Max(..) | Kind::Piecewise(..)
         )
     };
-    if expr.nodes().iter().any(has_branches) {
+    if nodes.iter().any(branches) {
         return Reduction::Branches;
     }
-    let mut arena = Arena::new();
-    let cleared = arena
-        .polynomial(expr)
-        .and_then(|polynomial| arena.without_divisors(polynomial));
-    match cleared {
-        Ok(polynomial) => match arena.terms(polynomial).len() {
-            0 => Reduction::Zero,
-            terms => Reduction::Nonzero { terms },
-        },
-        Err(Stop::Branches) => Reduction::Branches,
-        Err(Stop::Undefined) => Reduction::Undefined,
+    let numerator = Arena::new().and_then(|mut arena| {
+        let polynomial = translate::translate(expr, &nodes, &mut arena)?;
+        Ok(arena.clear(&polynomial)?.0.len())
+    });
+    match numerator {
+        Ok(0) => Reduction::Zero,
+        Ok(terms) => Reduction::Nonzero { terms },
+        Err(Stop::DivisionByZero) => Reduction::DivisionByZero,
         Err(Stop::TooLarge) => Reduction::TooLarge,
     }
 }

@@ -39,7 +39,7 @@ pub fn zero_test(expr: &Expr, ranges: &[(String, Rational, Rational)]) -> ZeroTe
         Reduction::Branches => is_zero_on_pieces(expr, ranges),
         // |x| = x where x ≥ 0.
         Reduction::Nonzero { .. } => has_absolute() && is_zero_on_pieces(expr, ranges),
-        Reduction::Undefined | Reduction::TooLarge => false,
+        Reduction::DivisionByZero | Reduction::TooLarge => false,
     };
     if proved {
         return ZeroTest::Proved;

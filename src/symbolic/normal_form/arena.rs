@@ -1,173 +1,185 @@
-//! Polynomials, monomials and atoms, each stored once.
+//! Where polynomials, monomials and atoms are kept, each once, and what they may cost.
 
 use super::coefficient::Coefficient;
-use super::{MAX_PRODUCTS, Stop};
-use crate::symbolic::{Expr, Function};
+use super::polynomial::{MonomialId, Polynomial};
+use super::ratio::Ratio;
+use super::{MAX_TERMS, MAX_WORK};
 use std::collections::HashMap;
 use std::hash::Hash;
 use std::rc::Rc;
 use std::sync::Arc;
 
-/// A polynomial, by its place in the arena.
+/// The place of a polynomial in its arena.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
-pub(super) struct Polynomial(u32);
+pub(super) struct PolynomialId(u32);
 
-/// A monomial, by its place in the arena.
+impl PolynomialId {
+    /// The polynomial 0, the first of every arena.
+    pub(super) const ZERO: PolynomialId = PolynomialId(0);
+}
+
+/// The place of an atom in its arena: what an atom is made of has lower places.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
-pub(super) struct Monomial(u32);
+pub(super) struct AtomId(u32);
 
-/// An atom, by its place in the arena: what it is made of has lesser places.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
-pub(super) struct Atom(u32);
-
-/// Terms with coefficients other than 0, each monomial once, in the order of places.
-pub(super) type Terms = Rc<[(Monomial, Coefficient)]>;
-
-/// What a monomial is: e^exponent times powers other than 0 of atoms, in the order of places.
+/// What isn't taken apart. All but inverses are real wherever the expression is defined.
 #[derive(Clone, Debug, PartialEq, Eq, Hash)]
-pub(super) struct Factors {
-    pub(super) exponent: Polynomial,
-    pub(super) powers: Vec<(Atom, i32)>,
+pub(super) enum Atom {
+    Symbol(Arc<str>),
+    Pi,
+    /// Of a positive number.
+    Ln(PolynomialId),
+    Erf(PolynomialId),
+    Atan(PolynomialId),
+    /// |P|, only to the first power: |P|² = P².
+    Abs(PolynomialId),
+    /// P ≥ 0, to powers between 0 and 1.
+    Radical(PolynomialId),
+    /// 1/P for a P of at least two terms and no inverses, to positive powers.
+    Inverse(PolynomialId),
 }
 
-/// What an atom is.
+/// An atom and the power of it, not 0.
+pub(super) type Factor = (AtomId, Ratio);
+
+/// exp(exponent) · ∏ atomᵏ, the atoms in the order of their places.
 #[derive(Clone, Debug, PartialEq, Eq, Hash)]
-pub(super) enum AtomKind {
-    /// A variable, a parameter, or π as `None`.
-    Symbol(Option<Arc<str>>),
-    /// A sum that divides; only negative powers stay, others are multiplied out.
-    Divisor(Polynomial),
-    /// The root of that degree, in powers from 0 to degree − 1.
-    Root(Polynomial, u32),
-    /// A function that nothing more is known of.
-    Call(Function, Polynomial),
+pub(super) struct Monomial {
+    pub(super) exponent: PolynomialId,
+    pub(super) factors: Vec<Factor>,
 }
 
-/// Values and the places of values that are stored once.
-struct Interned<T> {
-    values: Vec<T>,
-    places: HashMap<T, u32>,
+/// Why there is no normal form.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Stop {
+    DivisionByZero,
+    TooLarge,
 }
 
-impl<T: Clone + Eq + Hash> Interned<T> {
-    fn new() -> Self {
-        Interned {
+pub(super) type Result<T> = std::result::Result<T, Stop>;
+
+/// Values kept once each, known by their places.
+struct Interner<T> {
+    values: Vec<Rc<T>>,
+    places: HashMap<Rc<T>, u32>,
+}
+
+impl<T: Eq + Hash> Interner<T> {
+    fn new() -> Interner<T> {
+        Interner {
             values: Vec::new(),
             places: HashMap::new(),
         }
     }
 
-    fn place(&mut self, value: T) -> u32 {
-        if let Some(&place) = self.places.get(&value) {
-            return place;
+    fn intern(&mut self, value: T) -> Result<u32> {
+        if let Some(place) = self.places.get(&value) {
+            return Ok(*place);
         }
-        // There are fewer than MAX_PRODUCTS values and some more for each node of an expression.
-        let place = u32::try_from(self.values.len()).unwrap_or(u32::MAX);
-        self.values.push(value.clone());
+        let place = u32::try_from(self.values.len()).map_err(|_| Stop::TooLarge)?;
+        let value = Rc::new(value);
+        self.values.push(Rc::clone(&value));
         self.places.insert(value, place);
-        place
+        Ok(place)
+    }
+
+    /// The value at a place that `intern` gave.
+    fn get(&self, place: u32) -> Rc<T> {
+        Rc::clone(&self.values[place as usize])
     }
 }
 
-/// All that was made on the way to one normal form.
+/// The product of two monomials.
+#[derive(Clone)]
+pub(super) enum Product {
+    Monomial(MonomialId),
+    /// Where radicals or angles come out.
+    Polynomial(Rc<Polynomial>),
+}
+
+/// All that one zero test knows.
 pub(super) struct Arena {
-    polynomials: Interned<Terms>,
-    monomials: Interned<Rc<Factors>>,
-    atoms: Interned<AtomKind>,
-    /// Products of monomials.
-    pub(super) products: HashMap<(Monomial, Monomial), Polynomial>,
-    /// Normal forms of expressions.
-    pub(super) known: HashMap<Expr, Polynomial>,
-    work: usize,
-    pub(super) zero: Polynomial,
-    pub(super) one: Polynomial,
-    /// The monomial 1.
-    pub(super) unit: Monomial,
+    polynomials: Interner<Polynomial>,
+    monomials: Interner<Monomial>,
+    atoms: Interner<Atom>,
+    pub(super) products: HashMap<(MonomialId, MonomialId), Product>,
+    pub(super) conjugates: HashMap<PolynomialId, Rc<Polynomial>>,
+    /// The polynomials with inverses that were seen and the one that stands for each.
+    pub(super) quotients: HashMap<PolynomialId, PolynomialId>,
+    /// Those that stand for others, in the order they were seen.
+    pub(super) representatives: Vec<PolynomialId>,
+    work: u64,
 }
 
 impl Arena {
-    pub(super) fn new() -> Self {
-        let mut polynomials = Interned::new();
-        let zero = Polynomial(polynomials.place(Rc::from([])));
-        let mut monomials = Interned::new();
-        let unit = Monomial(monomials.place(Rc::new(Factors {
-            exponent: zero,
-            powers: Vec::new(),
-        })));
-        let one = Polynomial(polynomials.place(Rc::from([(unit, Coefficient::real(1))])));
-        Arena {
-            polynomials,
-            monomials,
-            atoms: Interned::new(),
+    pub(super) fn new() -> Result<Arena> {
+        let mut arena = Arena {
+            polynomials: Interner::new(),
+            monomials: Interner::new(),
+            atoms: Interner::new(),
             products: HashMap::new(),
-            known: HashMap::new(),
-            work: 0,
-            zero,
-            one,
-            unit,
+            conjugates: HashMap::new(),
+            quotients: HashMap::new(),
+            representatives: Vec::new(),
+            work: MAX_WORK,
+        };
+        let exponent = arena.polynomial_id(Polynomial::default())?;
+        arena.monomial_id(Monomial {
+            exponent,
+            factors: Vec::new(),
+        })?;
+        Ok(arena)
+    }
+
+    /// Takes `work` from the budget.
+    pub(super) fn spend(&mut self, work: u64) -> Result<()> {
+        self.work = self.work.checked_sub(work).ok_or(Stop::TooLarge)?;
+        Ok(())
+    }
+
+    /// Refuses more terms than the budget.
+    pub(super) fn check_terms(terms: usize) -> Result<()> {
+        if terms > MAX_TERMS {
+            return Err(Stop::TooLarge);
         }
+        Ok(())
     }
 
-    /// Counts work, and stops when there is too much of it.
-    pub(super) fn work(&mut self, products: usize) -> Result<(), Stop> {
-        self.work = self.work.saturating_add(products);
-        if self.work > MAX_PRODUCTS {
-            Err(Stop::TooLarge)
-        } else {
-            Ok(())
-        }
+    pub(super) fn polynomial_id(&mut self, polynomial: Polynomial) -> Result<PolynomialId> {
+        Ok(PolynomialId(self.polynomials.intern(polynomial)?))
     }
 
-    pub(super) fn terms(&self, polynomial: Polynomial) -> Terms {
-        Rc::clone(&self.polynomials.values[polynomial.0 as usize])
+    pub(super) fn polynomial(&self, id: PolynomialId) -> Rc<Polynomial> {
+        self.polynomials.get(id.0)
     }
 
-    pub(super) fn factors(&self, monomial: Monomial) -> Rc<Factors> {
-        Rc::clone(&self.monomials.values[monomial.0 as usize])
+    /// `monomial` must be as its factors say: no power out of range.
+    pub(super) fn monomial_id(&mut self, monomial: Monomial) -> Result<MonomialId> {
+        Ok(MonomialId(self.monomials.intern(monomial)?))
     }
 
-    pub(super) fn kind(&self, atom: Atom) -> &AtomKind {
-        &self.atoms.values[atom.0 as usize]
+    pub(super) fn monomial(&self, id: MonomialId) -> Rc<Monomial> {
+        self.monomials.get(id.0)
     }
 
-    pub(super) fn atom(&mut self, kind: AtomKind) -> Atom {
-        Atom(self.atoms.place(kind))
+    pub(super) fn atom_id(&mut self, atom: Atom) -> Result<AtomId> {
+        Ok(AtomId(self.atoms.intern(atom)?))
     }
 
-    pub(super) fn monomial(&mut self, factors: Factors) -> Monomial {
-        Monomial(self.monomials.place(Rc::new(factors)))
+    pub(super) fn atom(&self, id: AtomId) -> Rc<Atom> {
+        self.atoms.get(id.0)
     }
 
-    /// The polynomial of terms in any order, monomials repeated.
-    pub(super) fn sum_of(
-        &mut self,
-        terms: impl IntoIterator<Item = (Monomial, Coefficient)>,
-    ) -> Polynomial {
-        let mut sums: HashMap<Monomial, Coefficient> = HashMap::new();
-        for (monomial, coefficient) in terms {
-            sums.entry(monomial).or_default().add(&coefficient);
-        }
-        self.collected(sums)
+    /// The atom itself, as a polynomial.
+    pub(super) fn of_atom(&mut self, atom: Atom) -> Result<Polynomial> {
+        let factors = vec![(self.atom_id(atom)?, Ratio::ONE)];
+        let exponent = PolynomialId::ZERO;
+        let monomial = self.monomial_id(Monomial { exponent, factors })?;
+        Ok(Polynomial::term(monomial, Coefficient::ONE))
     }
 
-    /// The polynomial with these coefficients.
-    pub(super) fn collected(&mut self, sums: HashMap<Monomial, Coefficient>) -> Polynomial {
-        let mut terms: Vec<(Monomial, Coefficient)> =
-            sums.into_iter().filter(|(_, c)| !c.is_zero()).collect();
-        terms.sort_unstable_by_key(|(monomial, _)| *monomial);
-        Polynomial(self.polynomials.place(terms.into()))
-    }
-
-    pub(super) fn constant(&mut self, coefficient: Coefficient) -> Polynomial {
-        let unit = self.unit;
-        self.sum_of([(unit, coefficient)])
-    }
-
-    /// The only term, where there is only one.
-    pub(super) fn single(&self, polynomial: Polynomial) -> Option<(Monomial, Coefficient)> {
-        match &*self.terms(polynomial) {
-            [term] => Some(term.clone()),
-            _ => None,
-        }
+    /// Whether the atom is the inverse of a polynomial.
+    pub(super) fn is_inverse(&self, id: AtomId) -> bool {
+        matches!(*self.atom(id), Atom::Inverse(_))
     }
 }

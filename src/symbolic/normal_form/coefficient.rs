@@ -1,75 +1,105 @@
-//! Numbers p + qi with rational p and q.
+//! Coefficients: complex numbers of rational parts, ℚ(i).
 
-use rug::Rational;
+use super::ratio::Ratio;
+use std::cmp::Ordering;
 
-/// A number of ℚ(i).
-#[derive(Clone, Debug, Default, PartialEq, Eq, Hash)]
+/// re + i·im.
+#[derive(Clone, Debug, PartialEq, Eq, Hash)]
 pub(super) struct Coefficient {
-    pub(super) re: Rational,
-    pub(super) im: Rational,
+    pub(super) re: Ratio,
+    pub(super) im: Ratio,
 }
 
 impl Coefficient {
-    pub(super) fn real(q: impl Into<Rational>) -> Self {
+    pub(super) const ONE: Coefficient = Coefficient {
+        re: Ratio::ONE,
+        im: Ratio::ZERO,
+    };
+    pub(super) const I: Coefficient = Coefficient {
+        re: Ratio::ZERO,
+        im: Ratio::ONE,
+    };
+
+    pub(super) fn real(re: Ratio) -> Coefficient {
         Coefficient {
-            re: q.into(),
-            im: Rational::new(),
+            re,
+            im: Ratio::ZERO,
         }
     }
 
-    pub(super) fn imaginary(q: impl Into<Rational>) -> Self {
+    pub(super) fn imaginary(im: Ratio) -> Coefficient {
         Coefficient {
-            re: Rational::new(),
-            im: q.into(),
+            re: Ratio::ZERO,
+            im,
         }
     }
 
     pub(super) fn is_zero(&self) -> bool {
-        self.re == 0 && self.im == 0
+        self.re.is_zero() && self.im.is_zero()
     }
 
-    pub(super) fn is_one(&self) -> bool {
-        self.re == 1 && self.im == 0
+    pub(super) fn is_real(&self) -> bool {
+        self.im.is_zero()
     }
 
-    /// The number, where it is real.
-    pub(super) fn as_real(&self) -> Option<&Rational> {
-        (self.im == 0).then_some(&self.re)
+    /// Real and greater than 0.
+    pub(super) fn is_positive(&self) -> bool {
+        self.is_real() && self.re.is_positive()
     }
 
-    /// One of x and −x for each x other than 0.
-    pub(super) fn is_negative(&self) -> bool {
-        self.re < 0 || self.re == 0 && self.im < 0
+    /// The order by real part, then by imaginary part, against 0: it is kept by sums.
+    pub(super) fn sign(&self) -> Ordering {
+        self.re.sign().then(self.im.sign())
     }
 
-    pub(super) fn add(&mut self, other: &Coefficient) {
-        self.re += &other.re;
-        self.im += &other.im;
+    /// Words of storage beyond small numbers.
+    pub(super) fn words(&self) -> u64 {
+        self.re.words() + self.im.words()
     }
 
-    pub(super) fn negative(&self) -> Coefficient {
+    pub(super) fn add(&self, other: &Coefficient) -> Coefficient {
         Coefficient {
-            re: Rational::from(-&self.re),
-            im: Rational::from(-&self.im),
+            re: self.re.add(&other.re),
+            im: self.im.add(&other.im),
         }
     }
 
-    pub(super) fn times(&self, other: &Coefficient) -> Coefficient {
-        // Most coefficients are real.
-        if self.im == 0 && other.im == 0 {
-            return Coefficient::real(Rational::from(&self.re * &other.re));
+    pub(super) fn mul(&self, other: &Coefficient) -> Coefficient {
+        match (self.is_real(), other.is_real()) {
+            (true, true) => Coefficient::real(self.re.mul(&other.re)),
+            (true, false) => other.scale(&self.re),
+            (false, true) => self.scale(&other.re),
+            (false, false) => Coefficient {
+                re: self.re.mul(&other.re).sub(&self.im.mul(&other.im)),
+                im: self.re.mul(&other.im).add(&self.im.mul(&other.re)),
+            },
         }
-        let re = Rational::from(&self.re * &other.re) - Rational::from(&self.im * &other.im);
-        let im = Rational::from(&self.re * &other.im) + Rational::from(&self.im * &other.re);
-        Coefficient { re, im }
     }
 
-    /// 1/x; x must not be 0.
-    pub(super) fn inverse(&self) -> Coefficient {
-        let norm = Rational::from(self.re.square_ref()) + Rational::from(self.im.square_ref());
+    pub(super) fn scale(&self, factor: &Ratio) -> Coefficient {
         Coefficient {
-            re: Rational::from(&self.re / &norm),
-            im: -Rational::from(&self.im / &norm),
+            re: self.re.mul(factor),
+            im: self.im.mul(factor),
         }
+    }
+
+    pub(super) fn neg(&self) -> Coefficient {
+        Coefficient {
+            re: self.re.neg(),
+            im: self.im.neg(),
+        }
+    }
+
+    pub(super) fn conjugate(&self) -> Coefficient {
+        Coefficient {
+            re: self.re.clone(),
+            im: self.im.neg(),
+        }
+    }
+
+    /// 1 / `self` = conjugate / |self|², unless it is 0.
+    pub(super) fn recip(&self) -> Option<Coefficient> {
+        let norm = self.re.mul(&self.re).add(&self.im.mul(&self.im));
+        Some(self.conjugate().scale(&norm.recip()?))
     }
 }

@@ -7,24 +7,26 @@ fn of(text: &str) -> Reduction {
     reduce(&text.parse().unwrap_or_else(|e| panic!("{text}: {e}")))
 }
 
-#[test]
-fn hard() {
-    let f: Expr = "((l^3+3*l)^6*exp(-l)*sin(3*l)^6)/((1+l)*(2+cos(w*l)))"
+/// I′ of I = (λ³ + 3λ)⁶ e^(−λ) sin⁶ 3λ / ((1 + λ)(2 + cos wλ)) by its logarithmic derivative, with 3 or
+/// something else in its place.
+fn derivative_identity(three: i32) -> Expr {
+    let radiance: Expr = "((l^3 + 3*l)^6*exp(-l)*sin(3*l)^6)/((1 + l)*(2 + cos(w*l)))"
         .parse()
         .unwrap();
-    let log = |k: i32| -> Expr {
-        format!(
-            "6*(3*l^2+{k})/(l^3+3*l) - 1 + 18*cos(3*l)/sin(3*l) - 1/(1+l) + w*sin(w*l)/(2+cos(w*l))"
-        )
-        .parse()
-        .unwrap()
-    };
-    for (k, zero) in [(3, true), (4, false)] {
-        let start = std::time::Instant::now();
-        let r = reduce(&(f.differentiate("l") - f.clone() * log(k)));
-        println!("{k}: {r:?} {:?}", start.elapsed());
-        assert_eq!(r == Reduction::Zero, zero);
-    }
+    let logarithmic: Expr = format!(
+        "6*(3*l^2 + {three})/(l^3 + 3*l) - 1 + 18*cos(3*l)/sin(3*l) - 1/(1 + l) \
+         + w*sin(w*l)/(2 + cos(w*l))"
+    )
+    .parse()
+    .unwrap();
+    radiance.differentiate("l") - radiance * logarithmic
+}
+
+#[test]
+fn a_long_identity_is_decided() {
+    assert_eq!(reduce(&derivative_identity(3)), Reduction::Zero);
+    let wrong = reduce(&derivative_identity(4));
+    assert!(matches!(wrong, Reduction::Nonzero { .. }), "{wrong:?}");
 }
 
 #[test]
@@ -68,13 +70,11 @@ fn identities() {
         ("exp(x/2)^2 - exp(x)", true),
         ("sqrt(exp(2*x)) - exp(x)", true),
     ] {
-        let start = std::time::Instant::now();
         let reduction = of(text);
         assert_eq!(reduction == Reduction::Zero, zero, "{text}: {reduction:?}");
-        println!("{text} {:?}", start.elapsed());
     }
-    assert_eq!(of("1/(x - x)"), Reduction::Undefined);
-    assert_eq!(of("ln(x - x)"), Reduction::Undefined);
+    assert_eq!(of("1/(x - x)"), Reduction::DivisionByZero);
+    assert_eq!(of("ln(x - x)"), Reduction::DivisionByZero);
     assert_eq!(of("min(x, 1)"), Reduction::Branches);
     assert_eq!(of("(a+b+c+d+f+g)^30"), Reduction::TooLarge);
 }
