@@ -12,6 +12,7 @@
 mod checks;
 mod derive;
 mod error;
+mod places;
 mod polynomial;
 mod regularity;
 mod statement;

@@ -1,8 +1,10 @@
-//! Why a run came to no end, in one line: what, where, allowed.
+//! Why a run came to no end, in one line: what, where, allowed; of files also the place, drawn.
 
 use clap::CommandFactory;
 use clap::error::ErrorKind;
 use std::io;
+use volver::case::FileError;
+use volver::case::manufacture::ManufactureError;
 
 /// Why there is no outcome.
 #[derive(Debug, thiserror::Error)]
@@ -29,12 +31,46 @@ pub(crate) enum Failure {
         /// What is wrong.
         error: anyhow::Error,
     },
+    /// A case file is wrong somewhere.
+    #[error("{path}: {error}")]
+    CaseFile {
+        /// The path as given.
+        path: String,
+        /// What is wrong, and where.
+        error: Box<FileError>,
+    },
+    /// What a case states does not hold: a check that failed, and no wrong usage.
+    #[error("{path}: verification failed: {error}")]
+    Refuted {
+        /// The path, or the name, as given.
+        path: String,
+        /// What is refuted, and where.
+        error: ManufactureError,
+    },
     /// A report cannot be made or written.
     #[error("{0} (allowed: a place that can be written)")]
     Report(#[from] volver::report::ReportError),
     /// Standard output cannot be written.
     #[error("standard output: {0} (allowed: a reader that reads to the end)")]
     Output(io::Error),
+}
+
+impl Failure {
+    /// 1 where a check failed, 2 where usage or input is wrong.
+    pub(crate) fn exit_code(&self) -> u8 {
+        match self {
+            Failure::Refuted { .. } => 1,
+            _ => 2,
+        }
+    }
+
+    /// Lines that show the place in a file, to go below the message.
+    pub(crate) fn excerpt(&self) -> Option<String> {
+        match self {
+            Failure::CaseFile { error, .. } => error.caret(),
+            _ => None,
+        }
+    }
 }
 
 impl From<clap::Error> for Failure {

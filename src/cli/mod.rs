@@ -1,8 +1,11 @@
 //! Arguments, output and exit codes; no numerics.
 
+mod case;
+mod cases;
 mod completions;
 mod failure;
 mod fit;
+mod manufacture;
 mod reproduce;
 mod terminal;
 
@@ -19,6 +22,8 @@ Exit codes: 0 good, 1 a check failed, 2 wrong usage or input.
 Examples:
   volver reproduce --table 1 --levels 8..512
   printf '0.4 8e-2\\n0.2 2e-2\\n0.1 5e-3\\n0.05 1.25e-3\\n' | volver fit -
+  volver cases sine-squared
+  volver manufacture rgb-transfer --code python
   volver completions bash";
 
 /// Verifies approximations of the volume rendering integral.
@@ -34,6 +39,8 @@ struct Arguments {
 pub(crate) enum Command {
     Reproduce(reproduce::Reproduce),
     Fit(fit::Fit),
+    Cases(cases::Cases),
+    Manufacture(manufacture::Manufacture),
     Completions(completions::Completions),
 }
 
@@ -43,6 +50,8 @@ impl Command {
         match self {
             Command::Reproduce(arguments) => arguments.run(),
             Command::Fit(arguments) => arguments.run(),
+            Command::Cases(arguments) => arguments.run(),
+            Command::Manufacture(arguments) => arguments.run(),
             Command::Completions(arguments) => arguments.run(),
         }
     }
@@ -76,8 +85,12 @@ pub(crate) fn report(outcome: Result<Outcome, Failure>) -> ExitCode {
         },
         Err(failure) => {
             // Nobody is left to tell where standard error is closed.
-            let _ = writeln!(io::stderr().lock(), "volver: {failure}");
-            ExitCode::from(2)
+            let mut err = io::stderr().lock();
+            let _ = writeln!(err, "volver: {failure}");
+            if let Some(excerpt) = failure.excerpt() {
+                let _ = writeln!(err, "{excerpt}");
+            }
+            ExitCode::from(failure.exit_code())
         }
     }
 }

@@ -172,8 +172,10 @@ fn line(cells: &[String; 5]) -> String {
     line
 }
 
-/// Words in lines of at most `width`; a word that is longer has a line of its own.
-fn wrap(text: &str, width: usize, first: &str, later: &str) -> Vec<String> {
+/// Words in lines of at most `width`, which begin with `first` and then with `later`; a word that is
+/// longer has a line of its own.
+#[must_use]
+pub fn wrap(text: &str, width: usize, first: &str, later: &str) -> Vec<String> {
     let mut lines = Vec::new();
     let mut line = first.to_string();
     let mut empty = true;

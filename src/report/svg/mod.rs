@@ -10,6 +10,7 @@
 mod area;
 mod axes;
 mod canvas;
+mod case;
 mod curve;
 mod figure;
 mod key;
@@ -23,6 +24,7 @@ mod style;
 mod triangle;
 
 use super::{Group, ReportError};
+use crate::case::manufacture::Manufactured;
 use crate::convergence::{Fit, Sample};
 
 /// One panel for every row of a table, in it one curve a column. With replicas the curve is their
@@ -46,6 +48,18 @@ pub fn table_plot(group: &Group<'_>) -> Result<String, ReportError> {
 /// [`ReportError::Draw`], which no sample is known to cause.
 pub fn convergence_plot(samples: &[Sample], fit: &Fit, title: &str) -> Result<String, ReportError> {
     figure::figure(title, &[of_fit::of_fit(samples, fit)])
+}
+
+/// The channels of one case along its ray: field, emission, extinction, transmittance and radiance, in
+/// panels one below the other.
+///
+/// Places where the case is not analytic are dashed; curves break at jumps and where there is no value.
+///
+/// # Errors
+///
+/// [`ReportError::Draw`], which no case is known to cause.
+pub fn case_plot(title: &str, channels: &[Manufactured]) -> Result<String, ReportError> {
+    case::figure(title, channels)
 }
 
 #[cfg(test)]

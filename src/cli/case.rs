@@ -1,0 +1,165 @@
+//! Cases by name or from files, for every command that takes one.
+
+pub(crate) mod json;
+mod nearest;
+pub(crate) mod text;
+pub(crate) mod value;
+
+use super::Failure;
+use std::fs::File;
+use std::io::{self, Read};
+use std::path::Path;
+use volver::case::catalogue;
+use volver::case::file::MAX_FILE;
+use volver::case::manufacture::{ManufactureError, Manufactured, manufacture};
+use volver::case::{Description, FileError};
+
+/// What a command line may say where it takes a case, for help texts.
+pub(crate) const SOURCES: &str = "\
+CASE is a name that 'volver cases' lists (sine-squared), one channel of such a
+case (rgb-transfer/red), or a file: any path with a / in it or .toml at its end,
+and - for standard input. docs/cases.md describes files.";
+
+/// A case as it was described, and what became of each channel.
+pub(crate) struct Loaded {
+    /// What the file says, of the chosen channels.
+    pub(crate) description: Description,
+    /// At least one.
+    pub(crate) cases: Vec<Manufactured>,
+}
+
+/// Where a case comes from.
+enum Source<'a> {
+    Catalogue {
+        name: &'a str,
+        channel: Option<&'a str>,
+    },
+    File(&'a str),
+}
+
+/// Finds, reads, derives and checks the case that `argument` names.
+pub(crate) fn load(argument: &str) -> Result<Loaded, Failure> {
+    let description = match source(argument)? {
+        Source::Catalogue { name, channel } => {
+            let description = catalogue::find(name).ok_or_else(|| unknown(name))?;
+            chosen(
+                description.map_err(|error| in_file(argument, error))?,
+                channel,
+            )?
+        }
+        Source::File(path) => {
+            Description::read(&read(path)?).map_err(|error| in_file(path, error))?
+        }
+    };
+    derive(argument, description)
+}
+
+/// Derives and checks what a file describes; `path` is for messages.
+pub(crate) fn derive(path: &str, description: Description) -> Result<Loaded, Failure> {
+    match manufacture(&description) {
+        Ok(cases) => Ok(Loaded { description, cases }),
+        Err(error @ ManufactureError::Refuted { .. }) => Err(Failure::Refuted {
+            path: path.into(),
+            error,
+        }),
+        Err(error) => Err(Failure::Content {
+            path: path.into(),
+            error: error.into(),
+        }),
+    }
+}
+
+fn source(argument: &str) -> Result<Source<'_>, Failure> {
+    if argument == "-" {
+        return Ok(Source::File(argument));
+    }
+    let (name, channel) = match argument.split_once('/') {
+        Some((name, channel)) => (name, Some(channel)),
+        None => (argument, None),
+    };
+    let is_known = catalogue::text(name).is_some();
+    // A directory may be called like a case.
+    if is_known && (channel.is_none() || !Path::new(argument).is_file()) {
+        return Ok(Source::Catalogue { name, channel });
+    }
+    if channel.is_some() || has_extension(argument) {
+        return Ok(Source::File(argument));
+    }
+    Err(unknown(argument))
+}
+
+fn has_extension(path: &str) -> bool {
+    Path::new(path).extension().is_some_and(|e| e == "toml")
+}
+
+fn unknown(name: &str) -> Failure {
+    let near = nearest::nearest(name, catalogue::names());
+    let near = if near.is_empty() {
+        String::new()
+    } else {
+        format!("nearest: {}; ", near.join(", "))
+    };
+    Failure::Usage(format!(
+        "no case '{}' ({near}allowed: see volver cases, or a path with / or ending in .toml)",
+        name.escape_debug()
+    ))
+}
+
+/// The description with only the channel asked for.
+fn chosen(mut description: Description, channel: Option<&str>) -> Result<Description, Failure> {
+    let Some(channel) = channel else {
+        return Ok(description);
+    };
+    let names: Vec<String> = description
+        .channels
+        .iter()
+        .filter_map(|c| c.name.clone())
+        .collect();
+    description
+        .channels
+        .retain(|c| c.name.as_deref() == Some(channel));
+    if !description.channels.is_empty() {
+        return Ok(description);
+    }
+    let name = &description.name;
+    let allowed: Vec<String> = if names.is_empty() {
+        vec![name.clone()]
+    } else {
+        names.iter().map(|c| format!("{name}/{c}")).collect()
+    };
+    Err(Failure::Usage(format!(
+        "no channel '{}' in {name} (allowed: {})",
+        channel.escape_debug(),
+        allowed.join(", ")
+    )))
+}
+
+/// The text of a case file, or of standard input; no more of it than is ever used.
+fn read(path: &str) -> Result<String, Failure> {
+    let most = MAX_FILE as u64 + 1;
+    let mut bytes = Vec::new();
+    let done = if path == "-" {
+        io::stdin().lock().take(most).read_to_end(&mut bytes)
+    } else {
+        File::open(path).and_then(|file| file.take(most).read_to_end(&mut bytes))
+    };
+    let text = done.and_then(|_| {
+        if bytes.len() > MAX_FILE {
+            // Too long, which is said whatever stands in it.
+            return Ok(String::from_utf8_lossy(&bytes).into_owned());
+        }
+        String::from_utf8(bytes)
+            .map_err(|_| io::Error::new(io::ErrorKind::InvalidData, "not UTF-8"))
+    });
+    text.map_err(|error| Failure::Input {
+        path: path.into(),
+        error,
+    })
+}
+
+fn in_file(path: &str, error: FileError) -> Failure {
+    Failure::CaseFile {
+        path: path.into(),
+        error: Box::new(error),
+    }
+}

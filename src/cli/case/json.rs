@@ -1,0 +1,139 @@
+//! Cases as one JSON document.
+
+use super::{Loaded, value};
+use rug::float::Round;
+use rug::{Float, Rational};
+use serde::Serialize;
+use volver::case::Case;
+use volver::case::manufacture::{Check, Manufactured, Outcome, Statement};
+use volver::convergence::serialize_float;
+
+/// What the help says of the document.
+pub(crate) const HELP: &str = "\
+JSON: volver (its version) and cases, an object a channel: name, channel, title,
+tags, length, formulas (field, extinction, emission, optical_depth, radiance, and
+extinction_along and emission_along of lambda), optical_depth and radiance at the
+far end, checks (statement, claim, outcome, at, value), proved, suits_kernels,
+degenerate, breaks (part of the length, powers in extinction and source). Exact
+numbers are text, as in \"1/3\"; a value below 1e-300 is a string.";
+
+#[derive(Serialize)]
+struct Document<'a> {
+    volver: &'static str,
+    cases: Vec<Object<'a>>,
+}
+
+#[derive(Serialize)]
+struct Object<'a> {
+    name: &'a str,
+    channel: Option<&'a str>,
+    title: &'a str,
+    tags: &'a [String],
+    length: String,
+    formulas: Formulas,
+    #[serde(serialize_with = "serialize_float")]
+    optical_depth: Float,
+    #[serde(serialize_with = "serialize_float")]
+    radiance: Float,
+    checks: Vec<Checked>,
+    /// The closed form is.
+    proved: bool,
+    suits_kernels: bool,
+    /// For pre-integration: C·τ is constant.
+    degenerate: bool,
+    breaks: Vec<BreakObject>,
+}
+
+#[derive(Serialize)]
+struct Formulas {
+    field: String,
+    extinction: String,
+    emission: String,
+    optical_depth: String,
+    radiance: String,
+    extinction_along: String,
+    emission_along: String,
+}
+
+#[derive(Serialize)]
+struct Checked {
+    statement: Statement,
+    claim: String,
+    outcome: &'static str,
+    /// The witness, or a place that no proof got close to.
+    at: Option<String>,
+    /// Lower and upper bound of what a refuted claim is off by, or of the value that it is about.
+    value: Option<[String; 2]>,
+}
+
+#[derive(Serialize)]
+struct BreakObject {
+    part: Option<String>,
+    extinction: Option<String>,
+    source: Option<String>,
+}
+
+/// All channels of all cases, indented, with a newline at the end.
+pub(crate) fn render<'a>(cases: impl Iterator<Item = &'a Loaded>) -> serde_json::Result<String> {
+    let objects =
+        cases.flat_map(|loaded| loaded.cases.iter().map(move |case| object(loaded, case)));
+    let document = Document {
+        volver: env!("CARGO_PKG_VERSION"),
+        cases: objects.collect(),
+    };
+    serde_json::to_string_pretty(&document).map(|text| text + "\n")
+}
+
+fn object<'a>(loaded: &'a Loaded, case: &'a Manufactured) -> Object<'a> {
+    let formulas = case.case.formulas();
+    let exact = |q: &Option<Rational>| q.as_ref().map(Rational::to_string);
+    let breaks = case.case.structure().breaks;
+    Object {
+        name: case.case.name(),
+        channel: case.channel.as_deref(),
+        title: &loaded.description.title,
+        tags: &loaded.description.tags,
+        length: case.case.length().to_string(),
+        formulas: Formulas {
+            field: formulas.field.to_string(),
+            extinction: formulas.extinction.to_string(),
+            emission: formulas.emission.to_string(),
+            optical_depth: formulas.optical_depth.to_string(),
+            radiance: formulas.radiance.to_string(),
+            extinction_along: case.extinction.to_string(),
+            emission_along: case.emission.to_string(),
+        },
+        optical_depth: value::total_depth(case),
+        radiance: value::radiance(case),
+        checks: case.checks.iter().map(checked).collect(),
+        proved: case.is_proved(),
+        suits_kernels: case.suits_kernels(),
+        degenerate: case.is_degenerate_for_preintegration(),
+        breaks: breaks
+            .iter()
+            .map(|b| BreakObject {
+                part: exact(&b.part),
+                extinction: exact(&b.extinction),
+                source: exact(&b.source),
+            })
+            .collect(),
+    }
+}
+
+fn checked(check: &Check) -> Checked {
+    let (outcome, at, value) = match &check.outcome {
+        Outcome::Proved => ("proved", None, None),
+        Outcome::Refuted { witness, value } => ("refuted", Some(witness), value.as_ref()),
+        Outcome::Undecided { near } => ("undecided", near.as_ref(), None),
+    };
+    Checked {
+        statement: check.statement,
+        claim: check.statement.to_string(),
+        outcome,
+        at: at.map(Rational::to_string),
+        value: value.map(|value| {
+            [(value.lower(), Round::Down), (value.upper(), Round::Up)]
+                .map(|(bound, round)| bound.to_string_radix_round(10, Some(17), round))
+        }),
+    }
+}

@@ -1,0 +1,80 @@
+//! The functions of a case as source code.
+
+use crate::cli::case::Loaded;
+use volver::symbolic::code::{Definition, Language, source};
+use volver::symbolic::{CompileError, Expr, Program};
+
+/// A function to be: name, comment and program.
+struct Wanted {
+    name: String,
+    doc: String,
+    program: Program,
+}
+
+impl Wanted {
+    fn new(name: String, doc: String, of: &Expr, input: &str) -> Result<Self, CompileError> {
+        let program = Program::new(std::slice::from_ref(of), &[input])?;
+        Ok(Wanted { name, doc, program })
+    }
+}
+
+/// A source file with the length and all functions.
+pub(super) fn render(loaded: &Loaded, language: Language) -> Result<String, CompileError> {
+    let description = &loaded.description;
+    let mut head = description.name.clone();
+    if !description.title.is_empty() {
+        head = format!("{head}: {}", description.title);
+    }
+    let version = env!("CARGO_PKG_VERSION");
+    head = format!("{head}\nWritten by volver {version}. 0 <= lambda <= LENGTH.");
+    let mut wanted = Vec::new();
+    if let Some(case) = loaded.cases.first() {
+        let formulas = case.case.formulas();
+        for (name, doc, of, input) in [
+            ("field", "Field s at lambda.", &formulas.field, "lambda"),
+            (
+                "extinction",
+                "Extinction tau of the field value s, per unit of length.",
+                &formulas.extinction,
+                "s",
+            ),
+            (
+                "optical_depth",
+                "Optical depth t from 0 to lambda.",
+                &formulas.optical_depth,
+                "lambda",
+            ),
+        ] {
+            wanted.push(Wanted::new(name.into(), doc.into(), of, input)?);
+        }
+    }
+    for case in &loaded.cases {
+        let formulas = case.case.formulas();
+        let (suffix, of_channel) = match (&case.channel, &loaded.cases[..]) {
+            (Some(channel), [_, _, ..]) => (format!("_{channel}"), format!(", {channel}")),
+            _ => (String::new(), String::new()),
+        };
+        wanted.push(Wanted::new(
+            format!("emission{suffix}"),
+            format!("Emission C of the field value s{of_channel}, per unit of optical depth."),
+            &formulas.emission,
+            "s",
+        )?);
+        wanted.push(Wanted::new(
+            format!("radiance{suffix}"),
+            format!("Exact radiance I from 0 to lambda{of_channel}."),
+            &formulas.radiance,
+            "lambda",
+        )?);
+    }
+    let definitions: Vec<Definition<'_>> = wanted
+        .iter()
+        .map(|wanted| Definition {
+            name: &wanted.name,
+            doc: &wanted.doc,
+            program: &wanted.program,
+        })
+        .collect();
+    let length = &description.length;
+    Ok(source(language, &head, &[("LENGTH", length)], &definitions))
+}
