@@ -52,6 +52,30 @@ fn bad_usage_is_named_in_one_line() {
             "the argument '--exact <X>' cannot be used with '--richardson' (allowed: see --help)",
         ),
         (
+            &["cases", "--plot", "x.svg"],
+            "the following required arguments were not provided: <CASE> (allowed: see --help)",
+        ),
+        (
+            &["cases", "vacuum", "--tag", "thin"],
+            "the argument '[CASE]' cannot be used with '--tag <TAG>' (allowed: see --help)",
+        ),
+        (
+            &["cases", "vacuum", "--plot", "-"],
+            "invalid value '-' for '--plot <FILE>': no file (allowed: a file that can be written)",
+        ),
+        (
+            &["manufacture", "vacuum", "--code", "cobol"],
+            "invalid value 'cobol' for '--code <LANGUAGE>': unknown language 'cobol' (allowed: c, python, rust)",
+        ),
+        (
+            &["manufacture", "vacuum", "--latex", "--code", "c"],
+            "the argument '--latex' cannot be used with '--code <LANGUAGE>' (allowed: see --help)",
+        ),
+        (
+            &["manufacture", "vacuum", "--latex", "--json", "-"],
+            "'--json -' and '--latex' both go to standard output (allowed: --json with a file)",
+        ),
+        (
             &["completions", "cmd"],
             "invalid value 'cmd' for '<SHELL>' (allowed: bash, elvish, fish, powershell, zsh)",
         ),
@@ -123,7 +147,12 @@ fn the_examples_of_the_help_run() {
         binary.parent().unwrap().display(),
         std::env::var("PATH").unwrap()
     );
-    for (help, count) in [(&["--help"][..], 2), (&["fit", "--help"], 4)] {
+    for (help, count) in [
+        (&["--help"][..], 4),
+        (&["fit", "--help"], 4),
+        (&["cases", "--help"], 4),
+        (&["manufacture", "--help"], 4),
+    ] {
         let output = volver(help, "").output().unwrap();
         assert_eq!(output.status.code(), Some(0));
         let text = String::from_utf8(output.stdout).unwrap();

@@ -22,8 +22,8 @@ pub(super) fn axis(values: impl Iterator<Item = f64>, most: usize) -> Option<Axi
     let (low, high) = if size == 0.0 {
         (-1.0, 1.0)
     } else if high - low <= FLAT * size {
-        // A constant has 0 beside it, and itself in the middle.
-        ((2.0 * low).min(0.0), (2.0 * high).max(0.0))
+        // A constant has 0 on the axis too.
+        (low.min(0.0), high.max(0.0))
     } else if low >= 0.0 && low <= FROM_ZERO * high {
         (0.0, high)
     } else if high <= 0.0 && high >= FROM_ZERO * low {
@@ -122,7 +122,7 @@ mod tests {
 
     #[test]
     fn constants_and_zero_have_an_axis() {
-        assert_eq!(labels(&[3.0, 3.0]), ["0", "2", "4", "6"]);
+        assert_eq!(labels(&[3.0, 3.0]), ["0", "1", "2", "3"]);
         assert_eq!(labels(&[0.0, 0.0]), ["-1", "0", "1"]);
         assert!(axis([f64::NAN].into_iter(), 4).is_none());
         assert!(ticks_between((0.0, 0.0), 4).ticks.is_empty());

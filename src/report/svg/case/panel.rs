@@ -140,7 +140,12 @@ impl Frame {
 fn heading(canvas: &mut Canvas<'_>, quantity: &Quantity, axis: Option<&Axis>, plot: &Area) {
     let y = plot.top - HEADING / 2.0;
     let exponent = axis.and_then(|axis| axis.exponent);
-    let text = format!("{}{}", quantity.name, times(exponent));
+    let scale = if quantity.is_logarithm {
+        ", logarithmic".into()
+    } else {
+        times(exponent)
+    };
+    let text = format!("{}{scale}", quantity.name);
     let at = (HEADING_LEFT, y);
     canvas.text(&text, at, letters(HEADING_SIZE, true, HPos::Left));
     if let Some((name, value)) = &quantity.at_end {
