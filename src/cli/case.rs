@@ -60,7 +60,7 @@ pub(crate) fn derive(path: &str, description: Description) -> Result<Loaded, Fai
         Ok(cases) => Ok(Loaded { description, cases }),
         Err(error @ ManufactureError::Refuted { .. }) => Err(Failure::Refuted {
             path: path.into(),
-            error,
+            error: Box::new(error),
         }),
         Err(error) => Err(Failure::Content {
             path: path.into(),

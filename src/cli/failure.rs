@@ -45,7 +45,7 @@ pub(crate) enum Failure {
         /// The path, or the name, as given.
         path: String,
         /// What is refuted, and where.
-        error: ManufactureError,
+        error: Box<ManufactureError>,
     },
     /// A report cannot be made or written.
     #[error("{0} (allowed: a place that can be written)")]
