@@ -58,17 +58,14 @@ pub(crate) fn figure_file(text: &str) -> Result<PathBuf, &'static str> {
 impl Cases {
     pub(crate) fn run(self) -> Result<Outcome, Failure> {
         check_places(self.json.as_deref(), self.plot.as_deref())?;
-        let (loaded, text) = match &self.name {
-            Some(name) => {
-                let loaded = case::load(name)?;
-                let text = case::text::render(&loaded, super::width(), true);
-                (vec![loaded], text)
-            }
-            None => {
-                let loaded = self.listed()?;
-                let text = table::render(&loaded, &self.tags, super::width());
-                (loaded, text)
-            }
+        let (loaded, text) = if let Some(name) = &self.name {
+            let loaded = case::load(name)?;
+            let text = case::text::render(&loaded, super::width(), true);
+            (vec![loaded], text)
+        } else {
+            let loaded = self.listed()?;
+            let text = table::render(&loaded, &self.tags, super::width());
+            (loaded, text)
         };
         if let (Some(file), Some(loaded)) = (&self.plot, loaded.first()) {
             plot(file, loaded)?;
