@@ -88,8 +88,10 @@ fn names_of_parameters() {
         let message = format!("'{name}' cannot name a parameter (allowed: letters, digits and _");
         assert_refused(&[(&text, 7, 2, &message)]);
     }
-    let lines: Vec<String> = (0..8).map(|i| format!("\nw_{i} = 1")).collect();
-    let many = lines.concat();
+    let many = (0..8)
+        .map(|i| format!("\nw_{i} = 1"))
+        .collect::<Vec<_>>()
+        .concat();
     let text = slab("").replace("\"0\"", "'x'") + "[parameters]" + &many;
     let message =
         "symbol 'x' in 'radiance' (allowed: lambda, w_0, w_1, w_2, w_3, w_4, w_5, w_6, …)";
