@@ -18,7 +18,7 @@ const MAX_FOLDED_BITS: u64 = 4096;
 /// Constructors keep what is written but for what loses nothing anywhere: nested sums and products are
 /// flattened, numbers are folded, and 1/xᵃ is x⁻ᵃ for a > 0. So text read from what [`Display`](fmt::Display)
 /// prints is the same expression again. Everything that needs to know where an expression is defined is
-/// left to [`simplify`](super::simplify).
+/// left to [`simplify`](Expr::simplify).
 ///
 /// ```
 /// use volver::symbolic::Expr;
