@@ -3,10 +3,11 @@
 //! I = ∫₀ᴰ C(s(λ)) τ(s(λ)) exp(−∫₀^λ τ(s(u)) du) dλ.
 //!
 //! In any [`real`] format, a [`case`] gives the field s, the transfer functions C and τ and the exact
-//! radiance, [`quadrature`] gives rules, and a [`method`] approximates the integral on n segments;
-//! [`convergence`] fits the order of accuracy to its errors on a ladder of n, with an interval and a
-//! verdict; a [`study`] does so for many, and [`report`] shows what came out. A module uses only those
-//! named before it.
+//! radiance, made by hand or from [`symbolic`] expressions; [`quadrature`] gives rules, and a [`method`]
+//! approximates the integral on n segments; [`convergence`] fits the order of accuracy to its errors on a
+//! ladder of n, with an interval and a verdict; a [`study`] does so for many, and [`report`] shows what
+//! came out. A module uses only those that stand before it: `real`, `symbolic`, `case`, `quadrature`,
+//! `method`, `convergence`, `study`, `report`.
 //!
 //! ```
 //! use volver::case::SineSquared;
