@@ -5,7 +5,7 @@
 //! | [`text`] | for the terminal: the paper's figure beside the order, row by row |
 //! | [`markdown`] | the same as a document, with plots |
 //! | [`json`] | everything, for programs |
-//! | [`svg`] | log–log convergence plots |
+//! | [`svg`] | log–log convergence plots; cases along their ray |
 //! | [`write_directory`] | all of them as files |
 //!
 //! Nothing here computes an order: a report shows what [`Entry`](crate::study::reproduce::Entry) and

@@ -1,5 +1,6 @@
-//! Log–log convergence plots: |error| against segments, with the slope of every order found.
+//! Figures: convergence plots, and cases along their ray.
 //!
+//! Convergence is |error| against segments on logarithmic axes, with the slope of every order found.
 //! Marks stand at levels, filled where the order was fitted; a mark that points down is an error
 //! below 0, so that sign changes show. Logarithms are taken of the numbers themselves: errors below
 //! binary64's range are drawn like any other. Errors that are 0, NaN or infinite have no place on a
