@@ -33,8 +33,8 @@ fn examples() -> String {
         "{SOURCES}
 
 The list has a line a channel: D, the total optical depth t(D) and the exact
-radiance I(D) to six digits, from MPFR with 128 bits, and whether the closed form
-is proved. What is not proved stands below its line.
+radiance I(D) to six digits, and whether the closed form is proved. What is not
+proved stands below its line.
 
 {}
 

@@ -64,7 +64,7 @@ impl Page {
     /// What all channels have in common: the ray and what dims it.
     fn shared(&mut self, case: &Manufactured) {
         let formulas = case.case.formulas();
-        self.line("D", &case.case.length().to_string());
+        self.line("D", &value::rational(&case.case.length()));
         self.line("s(lambda)", &formulas.field.to_string());
         self.line("tau(s)", &formulas.extinction.to_string());
         if along_differs(case) && case.extinction != formulas.extinction {

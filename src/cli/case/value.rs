@@ -4,23 +4,45 @@ use rug::{Float, Rational};
 use volver::case::Case;
 use volver::case::manufacture::{Manufactured, Outcome};
 use volver::real::{Format, Mpfr};
+use volver::symbolic::{Expr, Interval};
 
-/// The precision that values are shown from.
-pub(crate) const SHOWN: Mpfr = Mpfr { bits: 128 };
+/// The precision that values are shown from where no enclosure is narrow.
+const SHOWN: Mpfr = Mpfr { bits: 128 };
+/// Enclosures are tried at powers of 2 from these bits to those.
+const BITS: (u32, u32) = (128, 8192);
+/// An enclosure is narrow if its width is below the value by so many bits: more than binary64 has.
+const NARROW: u32 = 60;
 const DIGITS: usize = 6;
 /// Rational numbers of more characters are shown as decimals.
 const LONGEST: usize = 24;
 
 /// t(D).
 pub(crate) fn total_depth(case: &Manufactured) -> Float {
-    let end = SHOWN.ratio(&case.case.length());
-    case.case.optical_depth(&end).into()
+    let length = case.case.length();
+    let depth = enclosed(&case.case.formulas().optical_depth, &length);
+    depth.unwrap_or_else(|| case.case.optical_depth(&SHOWN.ratio(&length)).into())
 }
 
 /// I(D).
 pub(crate) fn radiance(case: &Manufactured) -> Float {
-    let end = SHOWN.ratio(&case.case.length());
-    case.case.radiance(&end).into()
+    let length = case.case.length();
+    let radiance = enclosed(&case.case.formulas().radiance, &length);
+    radiance.unwrap_or_else(|| case.case.radiance(&SHOWN.ratio(&length)).into())
+}
+
+/// The value at λ, whatever cancels in it; `None` where it may be 0 and is not certainly.
+fn enclosed(expr: &Expr, lambda: &Rational) -> Option<Float> {
+    let mut bits = BITS.0;
+    while bits <= BITS.1 {
+        let at = |name: &str| (name == "lambda").then(|| Interval::point(bits, lambda));
+        let value = expr.enclose(bits, &at).ok()?;
+        let middle = value.midpoint();
+        if value.is_zero() || value.width() < middle.clone().abs() >> NARROW {
+            return Some(middle);
+        }
+        bits *= 2;
+    }
+    None
 }
 
 /// Six significant digits, without an exponent where that is short.
@@ -95,6 +117,15 @@ mod tests {
             let x = Float::with_val(128, Float::parse(text).unwrap());
             assert_eq!(decimal(&x), written);
         }
+    }
+
+    #[test]
+    fn values_are_right_however_much_cancels() {
+        let expr: Expr = "1 - (1 + lambda)*exp(-lambda)".parse().unwrap();
+        let tiny = volver::symbolic::parse_number("1e-400").unwrap();
+        assert_eq!(decimal(&enclosed(&expr, &tiny).unwrap()), "5.00000e-801");
+        let zero: Expr = "sin(lambda)^2 + cos(lambda)^2 - 1".parse().unwrap();
+        assert!(enclosed(&zero, &tiny).is_none());
     }
 
     #[test]

@@ -165,7 +165,7 @@ fn drawable(value: &Float) -> f64 {
 /// The stretches with values.
 fn runs(points: &[(f64, f64)]) -> Vec<Vec<(f64, f64)>> {
     points
-        .split(|(_, value)| !value.is_finite())
+        .split(|(place, value)| !(place.is_finite() && value.is_finite()))
         .filter(|run| run.len() > 1)
         .map(<[_]>::to_vec)
         .collect()
