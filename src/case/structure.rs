@@ -23,6 +23,21 @@ pub struct Break {
     pub source: Option<Rational>,
 }
 
+impl Break {
+    /// The power of C·τ·e^(−t), the strongest of C·τ and of t, which is smoother than τ by one.
+    #[must_use]
+    pub fn under_transmittance(&self) -> Option<Rational> {
+        let of_depth = self
+            .extinction
+            .as_ref()
+            .map(|power| Rational::from(power + 1));
+        match (self.source.clone(), of_depth) {
+            (Some(source), Some(depth)) => Some(source.min(depth)),
+            (source, depth) => source.or(depth),
+        }
+    }
+}
+
 /// The algebraic form of a case, as far as it is known.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct Structure {

@@ -29,7 +29,7 @@ pub(super) const NO_CONVERGENCE: f64 = 0.1;
 /// | 9 | `PreAsymptotic` | errors rise above 30 floors again beyond the cut |
 /// | 10 | `FloorLimited` | the floor cut the ladder, and no window is left or its half-width exceeds 0.25; or the half-width exceeds 0.25 by the floor's share of it |
 /// | 11 | `PreAsymptotic` | no window, or a half-width above 0.25 |
-/// | 12 | `Fitted` | nothing was expected |
+/// | 12 | `Fitted` | nothing was expected, or theory does not say |
 /// | 13 | `Confirmed` | the expected order lies within order ± half-width |
 /// | 14 | `TooLow`, `TooHigh` | it lies above, below the interval (`TooLow` where `Exact` was expected) |
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, Serialize)]
@@ -226,7 +226,7 @@ fn floor_widens(estimate: Option<Estimate>) -> bool {
 /// Where the expected order lies, seen from a narrow interval.
 fn compare(estimate: Estimate, expected: Option<Expected>) -> Verdict {
     match expected {
-        None => Verdict::Fitted,
+        None | Some(Expected::Unknown) => Verdict::Fitted,
         Some(Expected::Blind { .. }) => Verdict::Blind,
         Some(Expected::Exact) => Verdict::TooLow,
         Some(Expected::Order(p)) => {

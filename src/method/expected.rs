@@ -17,4 +17,6 @@ pub enum Expected {
         /// The order this case shows.
         here: f64,
     },
+    /// Theory does not say: whatever is measured neither confirms nor contradicts it.
+    Unknown,
 }

@@ -6,6 +6,7 @@ mod segments;
 
 pub use pairs::Filling;
 
+use super::breaks::{Allowed, Meeting};
 use super::error::{MethodError, require_multiple};
 use crate::case::{Nodes, Number};
 use crate::quadrature::{Rule, Sampling};
@@ -122,6 +123,19 @@ impl Inner {
             Inner::MonteCarlo { sampling, seed } => Ok(monte_carlo::partial_depths(
                 sampling, seed, nodes, n, offset, depth,
             )),
+        }
+    }
+
+    /// What a break of τ allows the depth; `peeks`: the outer rule looks inside segments.
+    ///
+    /// Random samples lie inside segments as the nodes of an open rule do: the one segment that holds the
+    /// break scatters by O(d^(1+α)), which is the limit of stratified samples alone, the others being of
+    /// order 1 and less.
+    pub(super) fn allowed_by(self, meeting: &Meeting<'_>, peeks: bool) -> Allowed {
+        match self {
+            Inner::PerSegment(rule) => meeting.allows(Some(rule), 1, peeks),
+            Inner::SimpsonPairs(_) => meeting.allows(Some(Rule::Simpson), 2, true),
+            Inner::MonteCarlo { .. } => meeting.allows(None, 1, peeks),
         }
     }
 

@@ -22,6 +22,10 @@ pub enum Part {
     NeglectedAttenuation,
     /// A fixed number of sub-intervals in each segment.
     SubIntervals,
+    /// A place where τ is not analytic, under the rule for the optical depth or opacity.
+    ExtinctionBreak,
+    /// A place where C·τ or the transmittance is not analytic, under the rule for the radiance or color.
+    SourceBreak,
 }
 
 impl Part {
@@ -41,6 +45,9 @@ impl Part {
             Part::AttenuationInside => "interpolation error, integrated once more over a segment",
             Part::NeglectedAttenuation => "Etiene, Kirby and Silva (2013), equation 31",
             Part::SubIntervals => "order of the rule in d for a fixed number of sub-intervals",
+            Part::ExtinctionBreak | Part::SourceBreak => {
+                "|λ − b|^α inside one segment leaves O(d^(1+α)); docs/nonsmooth.md"
+            }
         }
     }
 }
@@ -56,6 +63,8 @@ impl fmt::Display for Part {
             Part::AttenuationInside => "interpolated attenuation inside segments",
             Part::NeglectedAttenuation => "neglected attenuation inside segments",
             Part::SubIntervals => "sub-integration",
+            Part::ExtinctionBreak => "break of the extinction",
+            Part::SourceBreak => "break of the source term",
         })
     }
 }
@@ -65,8 +74,8 @@ impl fmt::Display for Part {
 pub struct Limit {
     /// The part.
     pub part: Part,
-    /// Its order.
-    pub order: f64,
+    /// Its order; `None` where theory does not say.
+    pub order: Option<f64>,
     /// Whether its leading error coefficient is 0 on this very case, for a reason that has nothing to do
     /// with the method.
     pub vanishes: bool,
@@ -76,20 +85,31 @@ impl Limit {
     pub(super) fn new(part: Part, order: f64) -> Self {
         Limit {
             part,
-            order,
+            order: Some(order),
+            vanishes: false,
+        }
+    }
+
+    pub(super) fn unknown(part: Part) -> Self {
+        Limit {
+            part,
+            order: None,
             vanishes: false,
         }
     }
 }
 
 impl Expected {
-    /// The least of the orders; blind where a part that vanishes on the case would have been the
-    /// limiting one.
+    /// The least of the orders, unknown where one of them is; blind where a part that vanishes on the
+    /// case would have been the limiting one.
     #[must_use]
     pub fn from_limits(limits: &[Limit]) -> Self {
         let least = |limits: &mut dyn Iterator<Item = &Limit>| {
-            limits.map(|limit| limit.order).reduce(f64::min)
+            limits.filter_map(|limit| limit.order).reduce(f64::min)
         };
+        if limits.iter().any(|limit| limit.order.is_none()) {
+            return Expected::Unknown;
+        }
         let general = least(&mut limits.iter());
         let here = least(&mut limits.iter().filter(|limit| !limit.vanishes));
         match (general, here) {

@@ -1,6 +1,7 @@
 //! Ways to approximate the volume rendering integral; each states its orders and their source.
 
 mod attenuation;
+mod breaks;
 mod error;
 mod expected;
 mod exponential;
@@ -73,13 +74,25 @@ impl Method {
         }
     }
 
-    /// What limits the method's order on `case`, part by part.
+    /// What limits the method's order on `case`, part by part, on whatever ladder: breaks of the medium are
+    /// taken to lie off the nodes.
     #[must_use]
     pub fn limits<C: Case>(&self, case: &C) -> Vec<Limit> {
         let structure = case.structure();
         match self {
             Method::Nested(nested) => nested.limits(&structure),
             Method::Preintegrated(preintegrated) => preintegrated.limits(&structure),
+        }
+    }
+
+    /// What limits the method's order on `case` on these numbers of segments, where breaks may lie on nodes
+    /// or in other places that do no harm, at every level.
+    #[must_use]
+    pub fn limits_on<C: Case>(&self, case: &C, ladder: &[u64]) -> Vec<Limit> {
+        let structure = case.structure();
+        match self {
+            Method::Nested(nested) => nested.limits_on(&structure, ladder),
+            Method::Preintegrated(preintegrated) => preintegrated.limits_on(&structure, ladder),
         }
     }
 }
@@ -94,8 +107,17 @@ impl fmt::Display for Method {
 }
 
 /// The order that theory gives `method` on `case`: min(p, q, what else the method approximates), less
-/// what the case makes exact or blind. Proved for nested rules in `proofs/Order.v`.
+/// what the case makes exact or blind. Proved for nested rules in `proofs/Order.v`. Breaks of the medium are
+/// taken to lie off the nodes: see [`expected_on`].
 #[must_use]
 pub fn expected<C: Case>(method: &Method, case: &C) -> Expected {
     Expected::from_limits(&method.limits(case))
+}
+
+/// The order that theory gives `method` on `case` over these numbers of segments: that of [`expected`], or
+/// a higher one where all levels have the case's breaks in places that do no harm. It is the order of the
+/// largest errors: where a break moves within its segment from level to level, errors scatter below.
+#[must_use]
+pub fn expected_on<C: Case>(method: &Method, case: &C, ladder: &[u64]) -> Expected {
+    Expected::from_limits(&method.limits_on(case, ladder))
 }

@@ -1,9 +1,10 @@
 //! Nested rules: an inner rule for the optical depth, an outer rule for the radiance, and an
 //! exponential between them.
 
+use super::breaks::Meeting;
 use super::limit::{Limit, Part};
 use super::{Attenuation, Exponential, Inner, MethodError, Outer, Scope, march};
-use crate::case::{Nodes, Number, Structure};
+use crate::case::{Break, Nodes, Number, Structure};
 use crate::quadrature::Sampling;
 use std::fmt;
 
@@ -45,22 +46,55 @@ impl Nested {
     }
 
     /// What limits the order on a case of that structure: p, q and the exponential's, where an inner
-    /// rule that integrates the extinction exactly does not count.
+    /// rule that integrates the extinction exactly does not count, and what breaks leave that lie off
+    /// the nodes.
     #[must_use]
     pub fn limits(&self, structure: &Structure) -> Vec<Limit> {
+        self.limits_at(structure, None)
+    }
+
+    /// What limits the order on these numbers of segments, where each break has its known place.
+    #[must_use]
+    pub fn limits_on(&self, structure: &Structure, ladder: &[u64]) -> Vec<Limit> {
+        self.limits_at(structure, Some(ladder))
+    }
+
+    fn limits_at(&self, structure: &Structure, ladder: Option<&[u64]>) -> Vec<Limit> {
         if structure.source_is_zero() {
             return Vec::new();
         }
         let inner = self.inner.order(structure.extinction_degree());
         let exponential = self.exponential_order();
-        [
+        let smooth = [
             (Part::InnerRule, inner),
             (Part::OuterRule, Some(self.outer.order())),
             (Part::Exponential, exponential),
         ]
         .into_iter()
-        .filter_map(|(part, order)| Some(Limit::new(part, order?)))
-        .collect()
+        .filter_map(|(part, order)| Some(Limit::new(part, order?)));
+        let breaks = structure.breaks.iter();
+        let broken = breaks.flat_map(|place| self.limits_of(place, ladder));
+        smooth.chain(broken).collect()
+    }
+
+    /// What one break leaves to the rules: to the inner one that of τ, to the outer one that of C·τ and
+    /// that of the transmittance, whose power is higher by one.
+    fn limits_of(&self, place: &Break, ladder: Option<&[u64]>) -> impl Iterator<Item = Limit> {
+        let outer_is_open = self.outer.0.intervals().is_none();
+        let inner = place.extinction.as_ref().map(|power| {
+            let allowed = self
+                .inner
+                .allowed_by(&Meeting::of(place, power, ladder), outer_is_open);
+            (Part::ExtinctionBreak, allowed)
+        });
+        let outer = place.under_transmittance().map(|power| {
+            let group = self.outer.segments_multiple();
+            let allowed =
+                Meeting::of(place, &power, ladder).allows(Some(self.outer.0), group, false);
+            (Part::SourceBreak, allowed)
+        });
+        let both = inner.into_iter().chain(outer);
+        both.filter_map(|(part, allowed)| allowed.limit(part))
     }
 }
 

@@ -14,7 +14,7 @@ pub use integration::Integration;
 pub use interpolant::{Interpolant, LastSegment};
 pub use opacity::Opacity;
 
-use super::{Limit, MethodError};
+use super::{Limit, MethodError, Part};
 use crate::case::{Nodes, Number, Structure};
 use crate::real::{Format, Real};
 use std::fmt;
@@ -50,13 +50,34 @@ impl Preintegrated {
     /// O(d^(k+2)) in the attenuation inside a segment; N sub-intervals of a rule of order r leave O(dʳ)
     /// for fixed N; neglecting the attenuation inside leaves O(d). Where C·τ is constant the source
     /// has no interpolation error.
+    ///
+    /// Breaks: where the interpolant is the field itself, they limit the sub-intervals' rule as any rule.
+    /// Where it is not, an interpolated break lies elsewhere than the true one, by an unknown distance if the
+    /// field is flat there, and a structure does not tell a broken field from a broken transfer
+    /// function: the order is unknown.
     #[must_use]
     pub fn limits(&self, structure: &Structure) -> Vec<Limit> {
+        self.limits_at(structure, None)
+    }
+
+    /// What limits the order on these numbers of segments, where each break has its known place.
+    #[must_use]
+    pub fn limits_on(&self, structure: &Structure, ladder: &[u64]) -> Vec<Limit> {
+        self.limits_at(structure, Some(ladder))
+    }
+
+    fn limits_at(&self, structure: &Structure, ladder: Option<&[u64]>) -> Vec<Limit> {
         if structure.source_is_zero() {
             return Vec::new();
         }
         let mut limits = self.color.limits(structure);
         limits.extend(self.opacity.limits(structure));
+        for place in &structure.breaks {
+            let color = self.color.allowed_by(structure, place, ladder);
+            limits.extend(color.limit(Part::SourceBreak));
+            let opacity = self.opacity.allowed_by(structure, place, ladder);
+            limits.extend(opacity.limit(Part::ExtinctionBreak));
+        }
         limits
     }
 }

@@ -1,6 +1,7 @@
 //! What to run, and running it: methods × levels × formats, node values shared.
 
 mod level;
+pub mod nonsmooth;
 pub mod reproduce;
 mod run;
 

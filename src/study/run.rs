@@ -170,6 +170,28 @@ impl Run {
         }
     }
 
+    /// Runs of the same methods in the same format on levels of their own, as one.
+    pub(super) fn joined<'a>(
+        runs: impl Iterator<Item = &'a Run>,
+        methods: usize,
+        bits: u32,
+    ) -> Run {
+        let mut joined = Run {
+            bits,
+            ladder: Vec::new(),
+            radiances: vec![Vec::new(); methods],
+            evaluations: 0,
+        };
+        for run in runs {
+            joined.ladder.extend(&run.ladder);
+            joined.evaluations += run.evaluations;
+            for (all, own) in joined.radiances.iter_mut().zip(&run.radiances) {
+                all.extend_from_slice(own);
+            }
+        }
+        joined
+    }
+
     fn radiance_at(&self, method: usize, n: u64) -> Option<&Float> {
         let level = self.ladder.iter().position(|&other| other == n)?;
         self.radiances.get(method)?.get(level)

@@ -29,7 +29,7 @@ pub(super) fn render(report: &Report) -> serde_json::Result<String> {
         expected: match report.expected {
             Some(Expected::Order(p)) => p.into(),
             Some(Expected::Exact) => "exact".into(),
-            Some(Expected::Blind { .. }) | None => Value::Null,
+            Some(Expected::Blind { .. } | Expected::Unknown) | None => Value::Null,
         },
         source: report.source,
         floor_source: report.floor_source,

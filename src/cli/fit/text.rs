@@ -29,7 +29,7 @@ pub(super) fn render(report: &Report, color: bool) -> String {
     let expected = match report.expected {
         Some(Expected::Order(p)) => format!(" (expected {p})"),
         Some(Expected::Exact) => " (expected exact)".into(),
-        Some(Expected::Blind { .. }) | None => String::new(),
+        Some(Expected::Blind { .. } | Expected::Unknown) | None => String::new(),
     };
     line(
         "verdict",

@@ -49,7 +49,7 @@ pub(super) fn judge(fit: &StochasticFit, expected: Option<Expected>) -> Verdict 
         };
     }
     match expected {
-        None => Verdict::Fitted,
+        None | Some(Expected::Unknown) => Verdict::Fitted,
         Some(Expected::Order(p)) if p > deviation.high => Verdict::TooLow,
         Some(Expected::Order(p)) if p < deviation.low => Verdict::TooHigh,
         Some(Expected::Order(_)) => Verdict::Confirmed,

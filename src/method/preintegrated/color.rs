@@ -5,8 +5,9 @@ use super::interpolant::Interpolant;
 use super::opacity::{closed_depth, depths_by_rule, evaluate_depth};
 use super::polynomial::{antiderivative, compose, evaluate};
 use super::series::attenuated_integral;
-use crate::case::{Nodes, Number, Structure};
+use crate::case::{Break, Nodes, Number, Structure};
 use crate::method::MethodError;
+use crate::method::breaks::{Allowed, Meeting};
 use crate::method::limit::{Limit, Part};
 use crate::quadrature::Rule;
 use crate::real::{Format, Real};
@@ -104,6 +105,25 @@ impl Color {
         Ok(total * step)
     }
 
+    /// What a break allows the integral over C(s̄)·τ(s̄), attenuated or not.
+    pub(super) fn allowed_by(
+        &self,
+        structure: &Structure,
+        place: &Break,
+        ladder: Option<&[u64]>,
+    ) -> Allowed {
+        let power = if self.attenuated {
+            place.under_transmittance()
+        } else {
+            place.source.clone()
+        };
+        let exact = self.interpolant.is_exact(structure);
+        power.map_or(Allowed::All, |power| {
+            let meeting = Meeting::of(place, &power, ladder);
+            self.integration.allowed_by(exact, &meeting)
+        })
+    }
+
     /// What limits the order, as far as this part goes.
     pub(super) fn limits(&self, structure: &Structure) -> Vec<Limit> {
         let mut limits = Vec::new();
@@ -111,7 +131,7 @@ impl Color {
         if !exact {
             limits.push(Limit {
                 part: Part::Source,
-                order: self.interpolant.order(),
+                order: Some(self.interpolant.order()),
                 vanishes: structure.source_is_constant(),
             });
         }

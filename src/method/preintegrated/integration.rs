@@ -1,6 +1,7 @@
 //! How an integral over a segment is taken.
 
 use crate::method::MethodError;
+use crate::method::breaks::{Allowed, Meeting};
 use crate::quadrature::Rule;
 use crate::real::{Format, Real};
 use rug::Rational;
@@ -39,6 +40,36 @@ impl Integration {
             }
             (Integration::SubIntervals { rule, .. }, _) => Some(f64::from(rule.order())),
             (Integration::Closed, _) => None,
+        }
+    }
+
+    /// What a break allows, met along a field that is `exact` or only interpolated. On segment boundaries
+    /// it is what any rule is allowed; inside, the sub-intervals are segments of their own, but the
+    /// attenuation there rests on steps from node to node, of which nothing more is claimed than the
+    /// leading power where that does not vanish.
+    pub(super) fn allowed_by(self, exact: bool, meeting: &Meeting<'_>) -> Allowed {
+        let Integration::SubIntervals { count, rule } = self else {
+            return Allowed::Unknown;
+        };
+        if !exact {
+            return Allowed::Unknown;
+        }
+        if meeting.is_on_nodes() {
+            return meeting.allows(Some(rule), 1, false);
+        }
+        let Some(part) = meeting.part else {
+            return meeting.allows(Some(rule), 1, false);
+        };
+        // n segments of `count` sub-intervals each are as many segments of one.
+        let part = Rational::from(part * count);
+        let within = Meeting {
+            part: Some(&part),
+            ..*meeting
+        };
+        let leading = Allowed::Order(1.0 + meeting.power.to_f64());
+        match within.allows(Some(rule), 1, false) {
+            allowed if allowed == leading => leading,
+            _ => Allowed::Unknown,
         }
     }
 

@@ -3,8 +3,9 @@
 use super::integration::Integration;
 use super::interpolant::Interpolant;
 use super::polynomial::{antiderivative, compose, evaluate};
-use crate::case::{Nodes, Number, Structure};
+use crate::case::{Break, Nodes, Number, Structure};
 use crate::method::MethodError;
+use crate::method::breaks::{Allowed, Meeting};
 use crate::method::limit::{Limit, Part};
 use crate::quadrature::Rule;
 use crate::real::{Format, Real};
@@ -46,6 +47,20 @@ impl Opacity {
                 Ok((-depth).exp())
             })
             .collect()
+    }
+
+    /// What a break allows the integral over τ(s̄).
+    pub(super) fn allowed_by(
+        &self,
+        structure: &Structure,
+        place: &Break,
+        ladder: Option<&[u64]>,
+    ) -> Allowed {
+        let exact = self.interpolant.is_exact(structure);
+        place.extinction.as_ref().map_or(Allowed::All, |power| {
+            let meeting = Meeting::of(place, power, ladder);
+            self.integration.allowed_by(exact, &meeting)
+        })
     }
 
     /// What limits the order, as far as this part goes.

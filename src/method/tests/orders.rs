@@ -297,7 +297,7 @@ fn a_closed_form_on_an_interpolated_exact_field_is_exact() {
 fn the_least_limit_decides_and_a_vanishing_one_blinds() {
     let limit = |order, vanishes| Limit {
         part: Part::Source,
-        order,
+        order: Some(order),
         vanishes,
     };
     let of = |limits: &[Limit]| Expected::from_limits(limits);

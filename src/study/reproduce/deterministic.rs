@@ -106,9 +106,12 @@ fn on_plateau_of_another_part(fit: &Fit, limits: &[Limit]) -> bool {
     else {
         return false;
     };
-    limits
-        .iter()
-        .any(|limit| !limit.vanishes && (limit.order - order).abs() <= half_width)
+    limits.iter().any(|limit| {
+        !limit.vanishes
+            && limit
+                .order
+                .is_some_and(|limit| (limit - order).abs() <= half_width)
+    })
 }
 
 /// The levels that the oracle is needed at: those asked for and the protocol's.

@@ -48,11 +48,9 @@ impl Entry {
     #[must_use]
     pub fn contradicts_theory(&self) -> bool {
         match self.verdict {
-            Verdict::TooLow
-            | Verdict::TooHigh
-            | Verdict::Oscillatory
-            | Verdict::Diverged
-            | Verdict::NotFinite => true,
+            Verdict::Diverged | Verdict::NotFinite => true,
+            _ if self.expected == Expected::Unknown => false,
+            Verdict::TooLow | Verdict::TooHigh | Verdict::Oscillatory => true,
             Verdict::Stalled => self.expected != Expected::Order(0.0),
             Verdict::Exact => self.expected != Expected::Exact,
             Verdict::Confirmed
@@ -106,6 +104,7 @@ impl Serialize for Entry {
             Expected::Order(order) => map.serialize_entry("expected_order", &order)?,
             Expected::Blind { general, .. } => map.serialize_entry("expected_order", &general)?,
             Expected::Exact => map.serialize_entry("expected_order", "exact")?,
+            Expected::Unknown => map.serialize_entry("expected_order", &None::<f64>)?,
         }
         map.serialize_entry("asymptotic_order", &self.asymptotic_order.map(rounded))?;
         map.serialize_entry(

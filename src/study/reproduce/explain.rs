@@ -130,13 +130,13 @@ fn roundoff_floor(evidence: &Evidence<'_>, effect: f64) -> Option<String> {
 /// A sub-integration that is the limit in the end, but not yet at the coarse levels.
 fn transition_note(evidence: &Evidence<'_>) -> Option<String> {
     let orders = || evidence.limits.iter().filter(|limit| !limit.vanishes);
-    let low = orders().map(|limit| limit.order).reduce(f64::min)?;
+    let low = orders().filter_map(|limit| limit.order).reduce(f64::min)?;
     let high = orders()
-        .map(|limit| limit.order)
+        .filter_map(|limit| limit.order)
         .filter(|&order| order > low)
         .reduce(f64::min)?;
     let by_sub_integration = orders()
-        .filter(|limit| limit.order <= low)
+        .filter(|limit| limit.order.is_some_and(|order| order <= low))
         .all(|limit| limit.part == Part::SubIntervals);
     let measured = pairwise(evidence.samples);
     let highest = measured.iter().copied().reduce(f64::max)?;
@@ -165,7 +165,7 @@ fn degenerate(evidence: &Evidence<'_>, order: f64) -> String {
         .limits
         .iter()
         .filter(|limit| limit.vanishes)
-        .map(|limit| format!("{} (order {})", limit.part, limit.order))
+        .filter_map(|limit| Some(format!("{} (order {})", limit.part, limit.order?)))
         .collect();
     let general = match evidence.expected {
         Expected::Blind { general, .. } => format!(" where {general} is the general order"),
