@@ -1,5 +1,7 @@
 //! `volver reproduce`: the paper's tables, measured again.
 
+mod nonsmooth;
+
 use super::{Color, Failure, Outcome, write_out};
 use clap::Args;
 use indicatif::{ProgressBar, ProgressStyle};
@@ -9,7 +11,7 @@ use std::path::{Path, PathBuf};
 use std::str::FromStr;
 use volver::convergence::Ladder;
 use volver::real::FormatName;
-use volver::report;
+use volver::report::{self, ReportError};
 use volver::study::Progress;
 use volver::study::reproduce::{
     Entry, LADDER, ORACLE_BITS, RuleName, Settings, TableNumber, reproduce, work,
@@ -36,7 +38,8 @@ Examples:
   volver reproduce --table 2 --levels 8
   volver reproduce --table 1 --format f32 --format mpfr:256 --levels 8..512
   volver reproduce --inner simpson --outer boole --levels 8..16384
-  volver reproduce --table 1 --levels 6 --json -";
+  volver reproduce --table 1 --levels 6 --json -
+  volver reproduce --nonsmooth";
 
 /// Measure the paper's Tables 1 and 2 again
 #[derive(Args)]
@@ -58,6 +61,9 @@ pub(crate) struct Reproduce {
     /// Levels that orders are measured on [default: 8..4096]
     #[arg(long, value_name = "LADDER", value_parser = Ladder::from_str)]
     levels: Option<Ladder>,
+    /// Instead of the tables: what jumps and kinks cost, rule by rule, beside theory
+    #[arg(long, conflicts_with_all = ["tables", "inner", "outer", "formats", "levels", "seed"])]
+    nonsmooth: bool,
     /// Seed of the first Monte Carlo replica
     #[arg(long, value_name = "SEED", default_value_t = 1)]
     seed: u64,
@@ -77,16 +83,15 @@ pub(crate) struct Reproduce {
 
 impl Reproduce {
     pub(crate) fn run(self) -> Result<Outcome, Failure> {
+        if self.nonsmooth {
+            self.check_places()?;
+            return self.nonsmooth();
+        }
         let settings = self.settings()?;
         settings
             .check()
             .map_err(|error| Failure::Usage(format!("--levels: {error}")))?;
-        if let Some(directory) = &self.out {
-            report::prepare_directory(directory)?;
-        }
-        if let Some(file) = self.json.as_deref().filter(|file| *file != Path::new("-")) {
-            report::check_file(file)?;
-        }
+        self.check_places()?;
         let bar = Bar::new(work(&settings));
         let entries = reproduce(&settings, &bar);
         bar.0.finish_and_clear();
@@ -97,6 +102,17 @@ impl Reproduce {
         } else {
             Outcome::Good
         })
+    }
+
+    /// Whether reports will find their places, asked before the work is done.
+    fn check_places(&self) -> Result<(), Failure> {
+        if let Some(directory) = &self.out {
+            report::prepare_directory(directory)?;
+        }
+        if let Some(file) = self.json.as_deref().filter(|file| *file != Path::new("-")) {
+            report::check_file(file)?;
+        }
+        Ok(())
     }
 
     fn settings(&self) -> Result<Settings, Failure> {
@@ -153,18 +169,32 @@ impl Reproduce {
     }
 
     fn write(&self, settings: &Settings, entries: &[Entry]) -> Result<(), Failure> {
+        self.hand_out(
+            || report::text::reproduction(entries, super::width(), self.color.is_on()),
+            |directory| report::write_directory(directory, settings, entries),
+            || report::json::reproduction(settings, entries),
+        )
+    }
+
+    /// Writes a report in all forms that are asked for.
+    pub(super) fn hand_out(
+        &self,
+        tables: impl Fn() -> String,
+        write: impl Fn(&Path) -> Result<Vec<PathBuf>, ReportError>,
+        json: impl Fn() -> Result<String, ReportError>,
+    ) -> Result<(), Failure> {
         let mut printed = String::new();
         if self.prints_tables() {
-            printed += &report::text::reproduction(entries, super::width(), self.color.is_on());
+            printed += &tables();
         }
         if let Some(directory) = &self.out {
-            let files = report::write_directory(directory, settings, entries)?;
+            let files = write(directory)?;
             if self.prints_tables() {
                 let _ = writeln!(printed, "{} files in {}", files.len(), directory.display());
             }
         }
         if let Some(file) = &self.json {
-            let json = report::json::reproduction(settings, entries)?;
+            let json = json()?;
             if file == Path::new("-") {
                 printed += &json;
             } else {

@@ -1,5 +1,6 @@
 //! Methods as a whole: their orders, their refusals and their names.
 
+mod breaks;
 mod limits;
 mod orders;
 mod refusals;

@@ -7,6 +7,7 @@
 //! | [`json`] | everything, for programs |
 //! | [`svg`] | log–log convergence plots; cases along their ray |
 //! | [`write_directory`] | all of them as files |
+//! | [`nonsmooth`] | the table of jumps and kinks, as text, Markdown and JSON |
 //!
 //! Nothing here computes an order: a report shows what [`Entry`](crate::study::reproduce::Entry) and
 //! [`Fit`](crate::convergence::Fit) hold.
@@ -18,6 +19,7 @@ mod group;
 pub mod json;
 mod legend;
 pub mod markdown;
+pub mod nonsmooth;
 mod preflight;
 pub mod svg;
 pub mod text;

@@ -6,7 +6,7 @@ use crate::study::reproduce::Entry;
 use std::fmt::Write;
 
 /// Narrower than this, lines are cut by the terminal instead.
-const MIN_WIDTH: usize = 40;
+pub(super) const MIN_WIDTH: usize = 40;
 
 /// Columns of an entry; verdicts come last and may be as long as they are.
 const HEAD: [(&str, usize); 5] = [
@@ -38,7 +38,7 @@ pub fn reproduction(entries: &[Entry], width: usize, color: bool) -> String {
 }
 
 #[derive(Clone, Copy)]
-enum Style {
+pub(super) enum Style {
     Bold,
     Faint,
     Good,
@@ -145,18 +145,23 @@ impl Page {
     }
 
     fn paint(&self, text: &str, style: Style) -> String {
-        if !self.color {
-            return text.into();
-        }
-        let code = match style {
-            Style::Bold => 1,
-            Style::Faint => 2,
-            Style::Good => 32,
-            Style::Open => 33,
-            Style::Bad => 31,
-        };
-        format!("\u{1b}[{code}m{text}\u{1b}[0m")
+        paint(text, style, self.color)
     }
+}
+
+/// Text in a style, where there is colour.
+pub(super) fn paint(text: &str, style: Style, color: bool) -> String {
+    if !color {
+        return text.into();
+    }
+    let code = match style {
+        Style::Bold => 1,
+        Style::Faint => 2,
+        Style::Good => 32,
+        Style::Open => 33,
+        Style::Bad => 31,
+    };
+    format!("\u{1b}[{code}m{text}\u{1b}[0m")
 }
 
 /// The cells of [`HEAD`]'s columns: the name to the left, figures to the right.

@@ -1,12 +1,12 @@
 //! One cell of the table.
 
-use super::{Envelope, Kind, Place, Worst};
+use super::{Kind, Level, Measured, Place};
 use crate::convergence::{Fit, Verdict};
 use crate::method::Expected;
 use serde::ser::SerializeMap;
 use serde::{Serialize, Serializer};
 
-/// One rule on one case: the order of its largest errors beside theory.
+/// One rule on one case: the order of its errors beside theory.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Cell {
     /// What breaks.
@@ -22,9 +22,9 @@ pub struct Cell {
     /// The order that it gives wherever the break lies.
     pub guaranteed: Expected,
     /// The order measured, and what that says of theory.
-    pub envelope: Envelope,
-    /// The largest errors.
-    pub worst: Vec<Worst>,
+    pub measured: Measured,
+    /// The errors, level by level.
+    pub levels: Vec<Level>,
     /// What a usual study, on a ladder of doublings, sees.
     pub usual: Fit,
 }
@@ -33,7 +33,7 @@ impl Cell {
     /// Whether the measurement says something else than theory.
     #[must_use]
     pub fn contradicts_theory(&self) -> bool {
-        match self.envelope.verdict {
+        match self.measured.verdict {
             Verdict::Confirmed | Verdict::Fitted | Verdict::Blind => false,
             // Where there should be an order, its lack is a contradiction too: levels and precision suffice.
             Verdict::Exact => self.theory != Expected::Exact,
@@ -66,10 +66,10 @@ impl Serialize for Cell {
         map.serialize_entry("method", &self.method)?;
         theory(&mut map, "expected_order", self.theory)?;
         theory(&mut map, "guaranteed_order", self.guaranteed)?;
-        map.serialize_entry("order", &self.envelope.order)?;
-        map.serialize_entry("half_width", &self.envelope.half_width)?;
-        map.serialize_entry("verdict", &self.envelope.verdict)?;
-        map.serialize_entry("worst", &self.worst)?;
+        map.serialize_entry("order", &self.measured.order)?;
+        map.serialize_entry("half_width", &self.measured.half_width)?;
+        map.serialize_entry("verdict", &self.measured.verdict)?;
+        map.serialize_entry("levels", &self.levels)?;
         map.serialize_entry("usual", &self.usual)?;
         map.end()
     }

@@ -4,11 +4,11 @@
 //! catalogue's: a break on a node, off the nodes, and at a place that moves within its segment.
 
 mod cell;
-mod envelope;
+mod level;
 mod rows;
 
 pub use cell::Cell;
-pub use envelope::{Envelope, NUMBERS, STARTS, Worst, judge, numbers};
+pub use level::{Level, Measured, NUMBERS, STARTS, judge, numbers};
 pub use rows::{Kind, Place};
 
 use super::{Progress, Run, samples};
@@ -24,7 +24,7 @@ use rows::{case_name, rows};
 pub const BITS: u32 = 128;
 
 /// The ladder of a usual study, for comparison.
-pub const LADDER: [u64; 9] = [8, 16, 32, 64, 128, 256, 512, 1024, 2048];
+pub const LADDER: [u64; 8] = [8, 16, 32, 64, 128, 256, 512, 1024];
 
 /// Why the table cannot be measured.
 #[derive(Debug, thiserror::Error)]
@@ -60,7 +60,11 @@ pub fn measure(progress: &dyn Progress) -> Result<Vec<Cell>, NonsmoothError> {
     let mut tasks: Vec<(usize, u64)> = columns
         .iter()
         .enumerate()
-        .flat_map(|(index, column)| levels(column.place).into_iter().map(move |n| (index, n)))
+        .flat_map(|(index, column)| {
+            all_numbers(column.place)
+                .into_iter()
+                .map(move |n| (index, n))
+        })
         .collect();
     tasks.sort_by_key(|&(_, n)| std::cmp::Reverse(n));
     let format = Mpfr { bits: BITS };
@@ -88,7 +92,9 @@ pub fn measure(progress: &dyn Progress) -> Result<Vec<Cell>, NonsmoothError> {
 #[must_use]
 pub fn work() -> u64 {
     let places = Place::ALL.into_iter();
-    let segments: u64 = places.map(|place| levels(place).iter().sum::<u64>()).sum();
+    let segments: u64 = places
+        .map(|place| all_numbers(place).iter().sum::<u64>())
+        .sum();
     segments * (Kind::ALL.len() * rows().len()) as u64
 }
 
@@ -115,16 +121,16 @@ fn columns() -> Result<Vec<Column>, NonsmoothError> {
     Ok(columns)
 }
 
-/// All numbers of segments that a case is run on: those of the envelope and the usual ladder, ascending.
-fn levels(place: Place) -> Vec<u64> {
-    let mut levels: Vec<u64> = STARTS
+/// All numbers of segments that a case is run on: those of the levels and the usual ladder, ascending.
+fn all_numbers(place: Place) -> Vec<u64> {
+    let mut all: Vec<u64> = STARTS
         .iter()
         .flat_map(|&start| numbers(place, start))
         .chain(LADDER)
         .collect();
-    levels.sort_unstable();
-    levels.dedup();
-    levels
+    all.sort_unstable();
+    all.dedup();
+    all
 }
 
 fn cell(
@@ -141,9 +147,9 @@ fn cell(
         .flat_map(|&start| numbers(*place, start))
         .collect();
     let theory = expected_on(method, case, &numbers);
-    let worst: Vec<Worst> = STARTS
+    let levels: Vec<Level> = STARTS
         .iter()
-        .filter_map(|&start| envelope::worst(*place, start, &all))
+        .filter_map(|&start| level::level(*place, start, &all))
         .collect();
     let usual = samples(case, &run.at_levels(&LADDER), row, None);
     Ok(Cell {
@@ -153,8 +159,8 @@ fn cell(
         method: method.to_string(),
         guaranteed: expected(method, case),
         theory,
-        envelope: judge(&worst, theory),
-        worst,
+        measured: judge(&levels, theory),
+        levels,
         usual: fit(&usual, Some(expected_on(method, case, &LADDER)))?,
     })
 }

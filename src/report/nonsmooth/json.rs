@@ -1,0 +1,40 @@
+//! Everything, for programs.
+
+use super::ReportError;
+use crate::study::nonsmooth::{BITS, Cell, LADDER, NUMBERS, STARTS};
+use serde::Serialize;
+
+#[derive(Serialize)]
+struct Document<'a> {
+    volver: &'static str,
+    settings: Settings,
+    cells: &'a [Cell],
+}
+
+#[derive(Serialize)]
+struct Settings {
+    format: String,
+    starts: [u64; STARTS.len()],
+    numbers: usize,
+    ladder: [u64; LADDER.len()],
+}
+
+/// `{"volver": version, "settings": {…}, "cells": […]}`, indented, with a newline at the end.
+///
+/// # Errors
+/// [`ReportError::Json`], which no cell is known to cause.
+pub fn json(cells: &[Cell]) -> Result<String, ReportError> {
+    let document = Document {
+        volver: env!("CARGO_PKG_VERSION"),
+        settings: Settings {
+            format: format!("mpfr:{BITS}"),
+            starts: STARTS,
+            numbers: NUMBERS,
+            ladder: LADDER,
+        },
+        cells,
+    };
+    let mut text = serde_json::to_string_pretty(&document)?;
+    text.push('\n');
+    Ok(text)
+}
