@@ -65,7 +65,7 @@ fn a_refuted_statement_is_a_failed_check() {
         .code(1)
         .stdout("")
         .stderr(
-            "volver: -: verification failed: t(0) = 0 fails at lambda = 0, where the difference or value lies in [1.00000, 1.00000] (allowed: a depth that begins at 0)\n",
+            "volver: -: verification failed: t(0) = 0 fails at lambda = 0, where the value or the difference of both sides is 1.00000 (allowed: a depth that begins at 0)\n",
         );
     // Nothing is refuted where nothing can be derived: that is wrong input.
     let nothing = "name = \"nothing\"\nlength = 1\ndepth = \"0\"\nradiance = \"0\"\n";

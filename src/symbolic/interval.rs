@@ -224,7 +224,8 @@ fn greatest(a: &Float, b: &Float) -> Float {
 }
 
 impl fmt::Display for Interval {
-    /// Both bounds in decimal, rounded outwards to 6 digits or to as many as asked for.
+    /// Both bounds in decimal, rounded outwards to 6 digits or to as many as asked for; one number where
+    /// both are the same.
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let digits = f.precision().unwrap_or(6).max(1);
         let decimal = |bound: &Float, round| bound.to_string_radix_round(10, Some(digits), round);
@@ -232,6 +233,10 @@ impl fmt::Display for Interval {
             decimal(&self.lower, Round::Down),
             decimal(&self.upper, Round::Up),
         );
-        write!(f, "[{lower}, {upper}]")
+        if lower == upper {
+            f.write_str(&lower)
+        } else {
+            write!(f, "[{lower}, {upper}]")
+        }
     }
 }

@@ -193,25 +193,33 @@ fn decided(expr: &Expr, length: &Rational, claim: Claim) -> Outcome {
 /// C finite. Where it is 0/0 nothing is known of it: the quotient may have a limit that no formula shows.
 fn emission_defined(derived: &Derived, length: &Rational) -> Outcome {
     match decided(&derived.emission, length, Claim::Defined) {
-        Outcome::Refuted { witness, value } => {
-            let at = |name: &str| (name == "lambda").then(|| Interval::point(128, &witness));
-            let vanishes = |expr: &Expr| expr.enclose(128, &at).is_ok_and(|v| v.contains_zero());
-            if vanishes(&derived.extinction) && vanishes(&derived.radiance.differentiate("lambda"))
-            {
-                Outcome::Undecided {
-                    near: Some(witness),
-                }
-            } else {
-                Outcome::Refuted { witness, value }
+        Outcome::Refuted { witness, .. } if is_zero_by_zero(derived, &witness) => {
+            Outcome::Undecided {
+                near: Some(witness),
             }
         }
         outcome => outcome,
     }
 }
 
+/// Whether both I′ and τ may be 0 at a place.
+fn is_zero_by_zero(derived: &Derived, place: &Rational) -> bool {
+    let at = |name: &str| (name == "lambda").then(|| Interval::point(128, place));
+    let vanishes = |expr: &Expr| expr.enclose(128, &at).is_ok_and(|v| v.contains_zero());
+    vanishes(&derived.extinction) && vanishes(&derived.radiance.differentiate("lambda"))
+}
+
 /// C ≥ 0, where it is a function of the depth by that function too.
 fn emission_nonnegative(derived: &Derived, length: &Rational) -> Outcome {
-    let outcome = decided(&derived.emission, length, Claim::NonNegative);
+    let outcome = match decided(&derived.emission, length, Claim::NonNegative) {
+        Outcome::Refuted {
+            witness,
+            value: None,
+        } if is_zero_by_zero(derived, &witness) => Outcome::Undecided {
+            near: Some(witness),
+        },
+        outcome => outcome,
+    };
     if let (Outcome::Undecided { .. }, Some(emission)) = (&outcome, &derived.emission_of_depth) {
         let over = |name: &str| (name == "lambda").then(|| Interval::point(64, length));
         // The depth never falls: it is greatest at the far end.

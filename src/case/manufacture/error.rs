@@ -10,7 +10,7 @@ pub enum ManufactureError {
     /// A statement that no case can do without is refuted.
     #[error(
         "{statement} fails at lambda = {witness}{} (allowed: {})",
-        value.as_ref().map_or(String::new(), |value| format!(", where the difference or value lies in {value}")),
+        value.as_ref().map_or(String::new(), |value| format!(", where the value or the difference of both sides is {value}")),
         statement.allowed()
     )]
     Refuted {
