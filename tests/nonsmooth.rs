@@ -50,7 +50,7 @@ fn orders_are_those_worked_out_by_hand_and_theory_agrees() {
                 let said = format!("{kind:?} {rule} {place:?}: {:?}", cell.measured);
                 assert_eq!(cell.theory, Expected::Order(order), "{said}");
                 let measured = cell.measured.order.unwrap();
-                assert!((measured - order).abs() < 0.1, "{said}");
+                assert!((measured - order).abs() < 0.15, "{said}");
                 assert_eq!(cell.measured.verdict, Verdict::Confirmed, "{said}");
                 assert!(!cell.contradicts_theory());
             }

@@ -98,9 +98,14 @@ fn where_the_leading_error_vanishes_at_every_level_the_next_one_limits() {
     assert_eq!(expected_on(&simpson, &kink, &thirds), Order(3.0));
     let order = measured(&simpson, &kink, &[64, 80], &[256, 320]);
     assert!((order - 3.0).abs() < 0.1, "{order}");
-    // Not for other rules, other powers, other places.
+    // Nor does Boole's rule see a corner at a third: 12/90·1/6 + 32/90·5/12 + 7/90·2/3 = 2/9 too.
     let boole = rules(Rule::Simpson, Rule::Boole);
-    assert_eq!(expected_on(&boole, &kink, &thirds), Order(2.0));
+    assert_eq!(expected_on(&boole, &kink, &thirds), Order(3.0));
+    let order = measured(&boole, &kink, &[64, 80], &[256, 320]);
+    assert!((order - 3.0).abs() < 0.1, "{order}");
+    // Not for other rules, other powers, other places.
+    let gauss = rules(Rule::GaussLegendre(3), Rule::Boole);
+    assert_eq!(expected_on(&gauss, &kink, &thirds), Order(2.0));
     let jump = case("jump-off-node");
     assert_eq!(expected_on(&simpson, &jump, &thirds), Order(1.0));
     let moving = case("kink-moving");
@@ -173,8 +178,9 @@ fn pre_integration_is_a_rule_where_its_field_is_exact_and_unknown_elsewhere() {
     assert_eq!(expected_on(&by(gauss), &kink, &[17, 33]), Expected::Unknown);
     let third = case("kink-off-node");
     assert_eq!(expected_on(&by(gauss), &third, &EVEN), Order(2.0));
+    // Gauss nodes all but cancel a corner at a third: the coefficient is small, the next order still seen.
     let order = measured(&by(gauss), &third, &[32, 40], &[128, 160]);
-    assert!((order - 2.0).abs() < 0.1, "{order}");
+    assert!((order - 2.0).abs() < 0.25, "{order}");
     let order = measured(&by(gauss), &jump, &[16], &[64]);
     assert!((order - 4.0).abs() < 0.05, "{order}");
     // A field that is not a polynomial, with a break of τ along it.

@@ -1,8 +1,9 @@
 //! Everything, for programs.
 
 use super::ReportError;
-use crate::study::nonsmooth::{BITS, Cell, LADDER, NUMBERS, STARTS};
+use crate::study::nonsmooth::{BITS, Cell, LADDER, Place, STARTS, numbers};
 use serde::Serialize;
+use std::collections::BTreeMap;
 
 #[derive(Serialize)]
 struct Document<'a> {
@@ -15,7 +16,7 @@ struct Document<'a> {
 struct Settings {
     format: String,
     starts: [u64; STARTS.len()],
-    numbers: usize,
+    numbers: BTreeMap<&'static str, Vec<Vec<u64>>>,
     ladder: [u64; LADDER.len()],
 }
 
@@ -29,7 +30,7 @@ pub fn json(cells: &[Cell]) -> Result<String, ReportError> {
         settings: Settings {
             format: format!("mpfr:{BITS}"),
             starts: STARTS,
-            numbers: NUMBERS,
+            numbers: Place::ALL.map(|place| (place.name(), levels(place))).into(),
             ladder: LADDER,
         },
         cells,
@@ -37,4 +38,9 @@ pub fn json(cells: &[Cell]) -> Result<String, ReportError> {
     let mut text = serde_json::to_string_pretty(&document)?;
     text.push('\n');
     Ok(text)
+}
+
+/// The numbers of segments, level by level.
+fn levels(place: Place) -> Vec<Vec<u64>> {
+    STARTS.iter().map(|&start| numbers(place, start)).collect()
 }

@@ -64,11 +64,11 @@ pub(super) fn contradiction(cell: &Cell) -> String {
 pub(super) const LEGEND: [(&str, &str); 5] = [
     (
         "order",
-        "of the root mean square error over up to 16 neighbouring n a level, from n = 32, 64 … 1024 on; [theory]",
+        "of the root mean square error over 2, 4 or (where the break moves) 16 neighbouring n a level, from n = 64, 128 … 2048 on; [theory]",
     ),
     (
         "doublings",
-        "what the usual ladder n = 8, 16 … 1024 shows, with its verdict",
+        "what the usual ladder n = 8, 16 … 2048 shows, with its verdict",
     ),
     (
         "off the nodes",

@@ -16,13 +16,28 @@ use serde::Serialize;
 use statrs::distribution::{ContinuousCDF, StudentsT};
 
 /// Where the levels start.
-pub const STARTS: [u64; 6] = [32, 64, 128, 256, 512, 1024];
+pub const STARTS: [u64; 6] = [64, 128, 256, 512, 1024, 2048];
 
-/// Most numbers of segments a level.
-pub const NUMBERS: usize = 16;
+/// Most numbers of segments a level: more than the break has places in its segment on a node or off the
+/// nodes, and many where it moves.
+fn most_numbers(place: Place) -> usize {
+    match place {
+        Place::OnNode => 2,
+        Place::OffNodes => 4,
+        Place::Moving => 16,
+    }
+}
 
 /// Fewest levels that an order is read from.
 const MIN_LEVELS: usize = 4;
+
+/// How many times what the finer levels change the slope is left to drift: for a bias that halves from level
+/// to level twice would be just enough.
+const DRIFT: f64 = 3.0;
+
+/// No interval is narrower: sixteen places leave a mean square uncertain by some 10 %, which over five
+/// doublings may be as much of an order, and a t-interval of six levels can be narrow by chance.
+const RESOLUTION: f64 = 0.05;
 
 /// The order settles within a few rounds; each takes off all but a small part of what is missing.
 const ROUNDS: usize = 30;
@@ -37,7 +52,10 @@ pub fn numbers(place: Place, start: u64) -> Vec<u64> {
         Place::OffNodes => n.is_multiple_of(4) && !n.is_multiple_of(3),
         Place::Moving => n.is_multiple_of(4),
     };
-    (start..2 * start).filter(suits).take(NUMBERS).collect()
+    (start..2 * start)
+        .filter(suits)
+        .take(most_numbers(place))
+        .collect()
 }
 
 /// The errors at neighbouring numbers of segments.
@@ -97,9 +115,9 @@ pub(super) fn level(place: Place, start: u64, samples: &[Sample]) -> Option<Leve
 }
 
 /// The order p at which the root mean squares of |error|·nᵖ are level, found by least squares again and again.
-/// Half of the interval is the larger of the 95 % t-interval of the slope, which covers the scatter, and twice
+/// Half of the interval is the larger of the 95 % t-interval of the slope, which covers the scatter, and thrice
 /// what the slope changes over the finer levels (one more than half), which covers the drift of errors
-/// that are not asymptotic yet.
+/// that are not asymptotic yet; it is at least 0.05.
 ///
 /// The verdicts are those of a [`fit`](crate::convergence::fit()), by the same widest half-width.
 #[must_use]
@@ -148,8 +166,9 @@ fn settle(levels: &[Level]) -> Option<(f64, f64)> {
         let all = least_squares(&points)?;
         let fine = least_squares(points.get(points.len() / 2 - 1..)?)?;
         order -= all.slope;
-        half_width = (quantile * all.slope_error).max(2.0 * (fine.slope - all.slope).abs());
+        half_width = (quantile * all.slope_error).max(DRIFT * (fine.slope - all.slope).abs());
     }
+    let half_width = half_width.max(RESOLUTION);
     (order.is_finite() && half_width.is_finite()).then_some((order, half_width))
 }
 

@@ -8,7 +8,7 @@ mod level;
 mod rows;
 
 pub use cell::Cell;
-pub use level::{Level, Measured, NUMBERS, STARTS, judge, numbers};
+pub use level::{Level, Measured, STARTS, judge, numbers};
 pub use rows::{Kind, Place};
 
 use super::{Progress, Run, samples};
@@ -24,7 +24,7 @@ use rows::{case_name, rows};
 pub const BITS: u32 = 128;
 
 /// The ladder of a usual study, for comparison.
-pub const LADDER: [u64; 8] = [8, 16, 32, 64, 128, 256, 512, 1024];
+pub const LADDER: [u64; 9] = [8, 16, 32, 64, 128, 256, 512, 1024, 2048];
 
 /// Why the table cannot be measured.
 #[derive(Debug, thiserror::Error)]

@@ -44,6 +44,16 @@ impl Place {
     /// All of them.
     pub const ALL: [Place; 3] = [Place::OnNode, Place::OffNodes, Place::Moving];
 
+    /// Its name in JSON.
+    #[must_use]
+    pub fn name(self) -> &'static str {
+        match self {
+            Place::OnNode => "on-node",
+            Place::OffNodes => "off-nodes",
+            Place::Moving => "moving",
+        }
+    }
+
     /// The heading of a report.
     #[must_use]
     pub fn title(self) -> &'static str {
