@@ -7,9 +7,9 @@
 //! E_α(θ) = Σ wᵢ (xᵢ − θ)₊^α − (1 − θ)^(1+α)/(1 + α)
 //! ```
 //!
-//! where θ is the break's place in its segment, so that a composite rule errs by E_α(θ)·d^(1+α) once. On a
-//! boundary, θ = 1 of the segment that ends there, E_α vanishes for α ≥ 1, whereas for a jump it is the
-//! weight of the end: the value there is the right-hand one, as cases are evaluated. Where E_α vanishes at
+//! where θ is the break's place in its segment, so that a composite rule errs by `E_α(θ)·d^(1+α)` once. On a
+//! boundary, θ = 1 of the segment that ends there, `E_α` vanishes for α ≥ 1, whereas for a jump it is the
+//! weight of the end: the value there is the right-hand one, as cases are evaluated. Where `E_α` vanishes at
 //! every level, the next power that the smooth factor brings, α + 1, decides; once that reaches the
 //! rule's own order, the break limits nothing.
 

@@ -34,7 +34,8 @@ pub fn text(cells: &[Cell], width: usize, color: bool) -> String {
                 let _ = write!(text, "{}{padding}", paint(&figure, style, color));
             }
             trim(&mut text);
-            let usual: String = row.iter().map(|c| format!("{:<CELL$}", usual(c))).collect();
+            let usual: Vec<String> = row.iter().map(|c| format!("{:<CELL$}", usual(c))).collect();
+            let usual = usual.concat();
             let line = format!("{:<RULE$}{usual}", " doublings");
             let _ = writeln!(text, "{}", paint(line.trim_end(), Style::Faint, color));
         }
