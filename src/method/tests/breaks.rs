@@ -2,13 +2,14 @@
 
 use super::{LINEAR, MIDDLE, nested, preintegrated, rules, sub_intervals};
 use crate::case::manufacture::manufacture;
-use crate::case::{Case, Fresh, SymbolicCase, catalogue};
+use crate::case::{Break, Case, Fresh, Structure, SymbolicCase, catalogue};
 use crate::method::{
     Expected, Exponential, Filling, Inner, Method, Part, Scope, expected, expected_on,
 };
 use crate::quadrature::{Rule, Sampling};
 use crate::real::{Format, Mpfr, Native, Real};
 use Expected::Order;
+use rug::Rational;
 
 const EVEN: [u64; 4] = [16, 32, 64, 128];
 
@@ -216,4 +217,31 @@ fn stratified_samples_scatter_in_the_one_segment_of_a_jump() {
         let found = (deviation(32) / deviation(512)).log2() / 4.0;
         assert!((found - order).abs() < 0.1, "{name}: {found}");
     }
+}
+
+#[test]
+fn an_end_of_the_ray_is_a_node_of_every_ladder() {
+    let Method::Nested(simpson) = rules(Rule::Simpson, Rule::Simpson) else {
+        panic!("not nested")
+    };
+    let order = |part: Option<Rational>, power: u32| {
+        let structure = Structure {
+            breaks: vec![Break {
+                part,
+                extinction: None,
+                source: Some(power.into()),
+            }],
+            ..Structure::default()
+        };
+        Expected::from_limits(&simpson.limits(&structure))
+    };
+    for end in [0, 1] {
+        let end = Some(Rational::from(end));
+        assert_eq!(order(end.clone(), 1), Order(4.0));
+        assert_eq!(order(end, 0), Order(1.0));
+    }
+    assert_eq!(order(Some((1, 2).into()), 1), Order(2.0));
+    // A place that nobody knows.
+    assert_eq!(order(None, 1), Order(2.0));
+    assert_eq!(order(None, 5), Order(4.0));
 }

@@ -35,8 +35,7 @@ pub fn text(cells: &[Cell], width: usize, color: bool) -> String {
             }
             trim(&mut text);
             let usual: Vec<String> = row.iter().map(|c| format!("{:<CELL$}", usual(c))).collect();
-            let usual = usual.concat();
-            let line = format!("{:<RULE$}{usual}", " doublings");
+            let line = format!("{:<RULE$}{}", " doublings", usual.concat());
             let _ = writeln!(text, "{}", paint(line.trim_end(), Style::Faint, color));
         }
         text.push('\n');
