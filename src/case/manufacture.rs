@@ -11,6 +11,7 @@
 
 mod checks;
 mod derive;
+mod ends;
 mod error;
 mod places;
 mod polynomial;

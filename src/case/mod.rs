@@ -5,6 +5,7 @@ pub mod file;
 mod homogeneous_slab;
 pub mod manufacture;
 mod nodes;
+pub mod random;
 mod reciprocal;
 mod sine_squared;
 mod structure;
@@ -17,7 +18,7 @@ pub use homogeneous_slab::HomogeneousSlab;
 pub use nodes::{Column, Fresh, Nodes, Number, Shared};
 pub use reciprocal::{Reciprocal, ReciprocalSquare};
 pub use sine_squared::SineSquared;
-pub use structure::{Along, Break, PolynomialTransfer, Structure};
+pub use structure::{Along, Break, END_DERIVATIVES, PolynomialTransfer, Structure};
 pub use symbolic::{Formulas, SymbolicCase};
 
 use crate::real::Real;

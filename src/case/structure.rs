@@ -51,6 +51,9 @@ pub struct Structure {
     pub breaks: Vec<Break>,
 }
 
+/// How many derivatives of C τ e^(−t) are compared at the ends of the ray: what limits rules up to order 8.
+pub const END_DERIVATIVES: usize = 8;
+
 /// What is known of τ and C·τ along the ray. The default is to know nothing.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Along {
@@ -60,6 +63,13 @@ pub struct Along {
     pub source_is_constant: bool,
     /// C·τ is certainly 0 everywhere.
     pub source_is_zero: bool,
+    /// A parabola through both ends and the middle of each segment certainly makes no error of order 4 in
+    /// the source term, wherever it is: with w = d(C τ)/ds e^(−t) it makes d⁴/2880 ∫ (w s⁗ + 4 w′ s‴).
+    pub parabolas_hide_source: bool,
+    /// Whether derivative k of C τ e^(−t) is certainly the same at both ends of a ray that is analytic
+    /// throughout: by the Euler–Maclaurin formula a rule's error of order k + 1 is proportional to the
+    /// difference.
+    pub equal_at_ends: [bool; END_DERIVATIVES],
 }
 
 impl Structure {
@@ -81,9 +91,15 @@ impl Structure {
     pub fn extinction_degree_of(&self, field: usize) -> Option<usize> {
         match &self.transfer {
             Some(transfer) => Some(degree(&transfer.extinction) * field),
-            // τ may be constant along the ray for the field alone.
-            None => Some(0).filter(|_| field == 0),
+            // What is constant along the ray is so whatever stands in for the field; or the field is.
+            None => Some(0).filter(|_| field == 0 || self.along.extinction_degree == Some(0)),
         }
+    }
+
+    /// Whether derivative `k` of C τ e^(−t) is certainly the same at both ends of the ray.
+    #[must_use]
+    pub fn is_equal_at_ends(&self, k: usize) -> bool {
+        self.along.equal_at_ends.get(k).is_some_and(|equal| *equal)
     }
 
     /// Whether C·τ is 0 everywhere: then so is the radiance, by every method. `false` also where it is

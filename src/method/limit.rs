@@ -1,6 +1,8 @@
 //! What limits a method's order: each part with its own, and where that is known from.
 
 use super::Expected;
+use crate::case::Structure;
+use crate::quadrature::Rule;
 use std::fmt;
 
 /// A part of a method that makes a discretization error of its own.
@@ -96,6 +98,31 @@ impl Limit {
             order: None,
             vanishes: false,
         }
+    }
+}
+
+/// The orders that a composite rule for ∫ C τ e^(−t) has on a case, up to the first that shows.
+///
+/// By the Euler–Maclaurin formula its error is Σ cᵣ dʳ [F^(r−1)(D) − F^(r−1)(0)] for F = C τ e^(−t), with r
+/// the rule's order and every second number above; for a Riemann sum, which is the trapezoid rule and
+/// half a step of F(D) − F(0), with r = 1 and all even numbers. See Davis and
+/// Rabinowitz (1984), section 2.9.
+pub(super) fn euler_maclaurin(part: Part, rule: Rule, structure: &Structure) -> Vec<Limit> {
+    let mut order = rule.order();
+    let mut limits = Vec::new();
+    loop {
+        let derivative = (order as usize).saturating_sub(1);
+        let vanishes = structure.is_equal_at_ends(derivative);
+        let order_here = f64::from(order);
+        limits.push(Limit {
+            part,
+            order: Some(order_here),
+            vanishes,
+        });
+        if !vanishes {
+            return limits;
+        }
+        order = if order == 1 { 2 } else { order + 2 };
     }
 }
 

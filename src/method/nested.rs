@@ -2,7 +2,7 @@
 //! exponential between them.
 
 use super::breaks::Meeting;
-use super::limit::{Limit, Part};
+use super::limit::{Limit, Part, euler_maclaurin};
 use super::{Attenuation, Exponential, Inner, MethodError, Outer, Scope, march};
 use crate::case::{Break, Nodes, Number, Structure};
 use crate::quadrature::Sampling;
@@ -47,7 +47,7 @@ impl Nested {
 
     /// What limits the order on a case of that structure: p, q and the exponential's, where an inner
     /// rule that integrates the extinction exactly does not count, and what breaks leave that lie off
-    /// the nodes.
+    /// the nodes. Where C τ e^(−t) hides the outer rule's error, the next order stands beside it.
     #[must_use]
     pub fn limits(&self, structure: &Structure) -> Vec<Limit> {
         self.limits_at(structure, None)
@@ -65,13 +65,10 @@ impl Nested {
         }
         let inner = self.inner.order(structure.extinction_degree());
         let exponential = self.exponential_order();
-        let smooth = [
-            (Part::InnerRule, inner),
-            (Part::OuterRule, Some(self.outer.order())),
-            (Part::Exponential, exponential),
-        ]
-        .into_iter()
-        .filter_map(|(part, order)| Some(Limit::new(part, order?)));
+        let inner = inner.map(|order| Limit::new(Part::InnerRule, order));
+        let outer = euler_maclaurin(Part::OuterRule, self.outer.0, structure);
+        let exponential = exponential.map(|order| Limit::new(Part::Exponential, order));
+        let smooth = inner.into_iter().chain(outer).chain(exponential);
         let breaks = structure.breaks.iter();
         let broken = breaks.flat_map(|place| self.limits_of(place, ladder));
         smooth.chain(broken).collect()

@@ -1,8 +1,9 @@
 //! What theory needs to know of a derived case.
 
 use super::derive::Derived;
+use super::ends;
 use super::regularity::{at_near_end, where_pieces_meet};
-use crate::case::{Along, Break, PolynomialTransfer, Structure};
+use crate::case::{Along, Break, END_DERIVATIVES, PolynomialTransfer, Structure};
 use crate::symbolic::{Expr, Kind, ZeroTest, expand, pieces, zero_test};
 use rug::Rational;
 
@@ -33,9 +34,29 @@ pub(super) fn of(length: &Rational, derived: &Derived) -> Structure {
             source_is_constant: breaks.iter().all(|b| b.source.is_none())
                 && vanishes(&source.differentiate("lambda")),
             source_is_zero: vanishes(&source),
+            parabolas_hide_source: breaks.is_empty() && vanishes(&parabola_error(derived, &source)),
+            equal_at_ends: if breaks.is_empty() {
+                ends::equal_derivatives(length, derived)
+            } else {
+                [false; END_DERIVATIVES]
+            },
         },
         breaks,
     }
+}
+
+/// What [`Along::parabolas_hide_source`] is about, times (s′)² e^t, which leaves no quotient.
+fn parabola_error(derived: &Derived, source: &Expr) -> Expr {
+    let derivative = |expr: &Expr| expr.differentiate("lambda");
+    let first = derivative(&derived.field);
+    let second = derivative(&first);
+    let third = derivative(&second);
+    let fourth = derivative(&third);
+    // w = h e^(−t)/s′ with h = (C τ)′
+    let change = derivative(source);
+    let slope = (derivative(&change) - &derived.extinction * &change) * first.clone();
+    let turn = &change * &second;
+    change * first * fourth + Expr::number(4) * third * (slope - turn)
 }
 
 /// The coefficients of a polynomial, that of degree 0 first; none for 0.

@@ -69,6 +69,26 @@ fn the_polynomial_recipe_gives_the_radiance() {
     assert!(crate::symbolic::expand(&difference).unwrap().is(0));
 }
 
+#[test]
+fn what_hides_errors_is_seen() {
+    let along = |text: &str| made(text)[0].case.structure().along;
+    let cloud = along(catalogue::text("cloud").unwrap());
+    // C τ e^(−t) and its slope are 0 at both ends; its second derivative is not the same there.
+    assert_eq!(cloud.equal_at_ends[..4], [true, true, false, false]);
+    let sine = along(catalogue::text("sine-squared").unwrap());
+    assert_eq!(sine.equal_at_ends, [false; crate::case::END_DERIVATIVES]);
+    let decay = |factor: &str| {
+        along(&format!(
+            "name = \"a\"\nlength = 3\nfield = \"exp(-lambda)\"\ninverse = \"-ln(s)\"\n\
+             depth = \"{factor}*lambda\"\nemission_of_depth = \"t + 1\""
+        ))
+    };
+    // w ∝ e^((1 − a)λ) and s = e^(−λ): w s⁗ + 4 w′ s‴ ∝ 1 − 4 (1 − a).
+    assert!(decay("3/4").parabolas_hide_source);
+    assert!(!decay("1").parabolas_hide_source);
+    assert_eq!(decay("1").extinction_degree, Some(0));
+}
+
 const HEAD: &str = "name = \"a\"\nlength = 1\n";
 
 #[test]

@@ -8,7 +8,7 @@ use super::series::attenuated_integral;
 use crate::case::{Break, Nodes, Number, Structure};
 use crate::method::MethodError;
 use crate::method::breaks::{Allowed, Meeting};
-use crate::method::limit::{Limit, Part};
+use crate::method::limit::{Limit, Part, euler_maclaurin};
 use crate::quadrature::Rule;
 use crate::real::{Format, Real};
 use rug::Rational;
@@ -129,11 +129,17 @@ impl Color {
         let mut limits = Vec::new();
         let exact = self.interpolant.is_exact(structure);
         if !exact {
+            let by_parabolas = self.interpolant == Interpolant::QuadraticMidpoint
+                && structure.along.parabolas_hide_source;
             limits.push(Limit {
                 part: Part::Source,
                 order: Some(self.interpolant.order()),
-                vanishes: structure.source_is_constant(),
+                vanishes: structure.source_is_constant() || by_parabolas,
             });
+            if by_parabolas && !structure.source_is_constant() {
+                // By symmetry there are even orders alone.
+                limits.push(Limit::new(Part::Source, self.interpolant.order() + 2.0));
+            }
         }
         if !self.attenuated {
             limits.push(Limit::new(Part::NeglectedAttenuation, 1.0));
@@ -142,8 +148,38 @@ impl Color {
             let order = self.interpolant.degree() as f64 + 2.0;
             limits.push(Limit::new(Part::AttenuationInside, order));
         }
-        let order = self.integration.order(None);
-        limits.extend(order.map(|order| Limit::new(Part::SubIntervals, order)));
+        limits.extend(self.sub_interval_limits(structure));
+        limits
+    }
+
+    /// What the rule on sub-intervals leaves of ∫ C τ e^(−t).
+    ///
+    /// Along an interpolated field, which has corners at all boundaries, errors of derivatives at the ends
+    /// of the segments do not add up to those at the ends of the ray; errors of values do. The depth
+    /// inside a segment, where it is by a rule too, is off by one order more.
+    fn sub_interval_limits(&self, structure: &Structure) -> Vec<Limit> {
+        let Integration::SubIntervals { rule, .. } = self.integration else {
+            return Vec::new();
+        };
+        let order = f64::from(rule.order());
+        let mut limits = euler_maclaurin(Part::SubIntervals, rule, structure);
+        if !self.attenuated {
+            limits = vec![Limit::new(Part::SubIntervals, order)];
+        } else if !self.interpolant.is_exact(structure) {
+            // Interpolants are continuous: only what is off by the values at the ends can vanish.
+            limits.truncate(if rule.order() == 1 { 2 } else { 1 });
+            for limit in limits.iter_mut().filter(|limit| limit.order > Some(1.0)) {
+                limit.vanishes = false;
+            }
+        }
+        let depth_is_exact = structure.transfer.is_some()
+            || self
+                .integration
+                .order(structure.extinction_degree())
+                .is_none();
+        if limits.len() > 1 && !depth_is_exact {
+            limits.push(Limit::new(Part::SubIntervals, order + 1.0));
+        }
         limits
     }
 }

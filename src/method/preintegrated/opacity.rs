@@ -69,11 +69,11 @@ impl Opacity {
         if !self.interpolant.is_exact(structure) && structure.extinction_degree_of(1) != Some(0) {
             limits.push(Limit::new(Part::Opacity, self.interpolant.order()));
         }
-        let interpolated = self.interpolant.degree();
-        let field = structure
-            .field_degree
-            .map_or(interpolated, |degree| degree.min(interpolated));
-        let degree = structure.extinction_degree_of(field);
+        let degree = if self.interpolant.is_exact(structure) {
+            structure.extinction_degree()
+        } else {
+            structure.extinction_degree_of(self.interpolant.degree())
+        };
         let order = self.integration.order(degree);
         limits.extend(order.map(|order| Limit::new(Part::SubIntervals, order)));
         limits

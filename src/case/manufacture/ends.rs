@@ -1,0 +1,51 @@
+//! Which derivatives of C τ e^(−t) are the same at both ends of the ray.
+
+use super::derive::Derived;
+use crate::case::END_DERIVATIVES;
+use crate::symbolic::{Expr, ZeroTest, expand, refute_zero, zero_test};
+use rug::Rational;
+
+/// Up to this derivative all are looked at; beyond, only those of integrands where one of these is the same
+/// at both ends: where higher ones are, by symmetry or because the medium fades out, lower ones are too.
+const ALWAYS: usize = 3;
+/// Derivatives of more nodes than this are not looked at: nobody chose them to vanish.
+const MAX_NODES: usize = 2000;
+
+/// Whether derivative k is certainly the same at both ends, for an integrand that is analytic.
+pub(super) fn equal_derivatives(length: &Rational, derived: &Derived) -> [bool; END_DERIVATIVES] {
+    let attenuation = (-&derived.depth).exp();
+    let difference = |factor: &Expr| {
+        let at = |place: &Expr| {
+            factor.substitute("lambda", place) * attenuation.substitute("lambda", place)
+        };
+        at(&Expr::number(length.clone())) - at(&Expr::number(0))
+    };
+    let mut equal = [false; END_DERIVATIVES];
+    // (g e^(−t))′ = (g′ − τ g) e^(−t)
+    let mut factor = &derived.emission * &derived.extinction;
+    for k in 0..END_DERIVATIVES {
+        if k > ALWAYS && !equal.contains(&true) {
+            break;
+        }
+        if k > 0 {
+            let loss = &derived.extinction * &factor;
+            factor = factor.differentiate("lambda") - loss;
+        }
+        factor = expand(&factor).unwrap_or(factor);
+        if factor.nodes().len() > MAX_NODES {
+            break;
+        }
+        if let Some(slot) = equal.get_mut(k) {
+            *slot = certainly_vanishes(&difference(&factor));
+        }
+    }
+    equal
+}
+
+/// Whether a constant is defined, and 0.
+fn certainly_vanishes(constant: &Expr) -> bool {
+    // Nearly all are not, which is quicker to see than that it is unknown.
+    refute_zero(constant, &[]).is_none()
+        && constant.enclose(64, &|_| None).is_ok()
+        && zero_test(constant, &[]) == ZeroTest::Proved
+}
