@@ -15,7 +15,9 @@
 mod arena;
 mod coefficient;
 mod conjugate;
+mod divide;
 mod exponential;
+mod hash;
 mod multiply;
 mod number;
 mod opaque;
@@ -34,7 +36,7 @@ use arena::{Arena, Stop};
 pub const MAX_TERMS: usize = 1 << 14;
 
 /// The most products of terms that are worked out, those of long coefficients counted more.
-pub const MAX_WORK: u64 = 1 << 22;
+pub const MAX_WORK: u64 = 1 << 21;
 
 /// What the normal form says of an expression.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

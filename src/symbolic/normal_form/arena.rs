@@ -1,10 +1,10 @@
 //! Where polynomials, monomials and atoms are kept, each once, and what they may cost.
 
 use super::coefficient::Coefficient;
+use super::hash::HashMap;
 use super::polynomial::{MonomialId, Polynomial};
 use super::ratio::Ratio;
 use super::{MAX_TERMS, MAX_WORK};
-use std::collections::HashMap;
 use std::hash::Hash;
 use std::rc::Rc;
 use std::sync::Arc;
@@ -68,7 +68,7 @@ impl<T: Eq + Hash> Interner<T> {
     fn new() -> Interner<T> {
         Interner {
             values: Vec::new(),
-            places: HashMap::new(),
+            places: HashMap::default(),
         }
     }
 
@@ -117,9 +117,9 @@ impl Arena {
             polynomials: Interner::new(),
             monomials: Interner::new(),
             atoms: Interner::new(),
-            products: HashMap::new(),
-            conjugates: HashMap::new(),
-            quotients: HashMap::new(),
+            products: HashMap::default(),
+            conjugates: HashMap::default(),
+            quotients: HashMap::default(),
             representatives: Vec::new(),
             work: MAX_WORK,
         };

@@ -9,6 +9,7 @@ use crate::symbolic::Function;
 impl Arena {
     /// eᵖ, with e^(a·ln u) = uᵃ for rational a; u > 0 where ln u is.
     pub(super) fn exp(&mut self, p: &Polynomial) -> Result<Polynomial> {
+        let p = self.simplest(p)?;
         let mut exponent = Accumulator::default();
         let mut powers = Vec::new();
         for (monomial, c) in p.terms() {
@@ -48,21 +49,24 @@ impl Arena {
         } else {
             Coefficient::ONE
         };
-        let half = Coefficient::real(Ratio::Small(1, 2));
         let exponent = p.scale(&unit);
+        if matches!(function, Function::Tan | Function::Tanh) {
+            // tanh u = 1 − 2/(e²ᵘ + 1) has fewer terms than the quotient.
+            let two = Coefficient::real(Ratio::from(2));
+            let square = self.exp(&exponent.scale(&two))?;
+            let inverse = self.recip(&square.add(&Polynomial::one()))?;
+            let tanh = Polynomial::one().sub(&inverse.scale(&two));
+            return Ok(tanh.scale(&unit.conjugate()));
+        }
+        let half = Coefficient::real(Ratio::Small(1, 2));
         let plus = self.exp(&exponent)?;
         let minus = self.exp(&exponent.neg())?;
-        // 1/i = −i.
-        let odd = plus.sub(&minus).scale(&unit.conjugate());
-        let even = plus.add(&minus);
-        match function {
-            Function::Sin | Function::Sinh => Ok(odd.scale(&half)),
-            Function::Cos | Function::Cosh => Ok(even.scale(&half)),
-            _ => {
-                let inverse = self.recip(&even)?;
-                self.multiply(&odd, &inverse)
-            }
+        Ok(match function {
+            // 1/i = −i.
+            Function::Sin | Function::Sinh => plus.sub(&minus).scale(&unit.conjugate()),
+            _ => plus.add(&minus),
         }
+        .scale(&half))
     }
 
     /// The exponent without quarters of a turn, which become powers of i, nor what else has a closed form:

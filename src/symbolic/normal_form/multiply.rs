@@ -22,9 +22,14 @@ impl Arena {
         let exponent = if exponent.is_zero() {
             PolynomialId::ZERO
         } else {
-            let (exponent, turn) = self.split_turn(exponent)?;
-            extra.extend(turn);
-            self.representative(exponent)?
+            let whole = self.representative(exponent.clone())?;
+            let (rest, turn) = self.split_turn(&self.polynomial(whole))?;
+            if let Some(turn) = turn {
+                extra.push(turn);
+                self.representative(rest)?
+            } else {
+                whole
+            }
         };
         let mut kept = Vec::with_capacity(factors.len());
         for (atom, power) in factors {
@@ -203,7 +208,7 @@ pub(super) fn small(power: &Ratio) -> Result<i64> {
 /// What a product of coefficients costs, in products of small ones.
 fn cost(a: &Coefficient, b: &Coefficient) -> u64 {
     let words = a.words() + b.words();
-    1 + words * words / 16
+    1 + 4 * words + words * words / 8
 }
 
 /// The factors of a product, some perhaps to the power 0.

@@ -11,6 +11,7 @@ impl Arena {
     ///
     /// Only what is positive by itself is split off: ln(ab) is not ln a + ln b where both are negative.
     pub(super) fn ln(&mut self, p: &Polynomial) -> Result<Polynomial> {
+        let p = self.simplest(p)?;
         if let [(monomial, c)] = p.terms()
             && let Some(term) = self.real_term(*monomial, c)?
         {
@@ -69,6 +70,7 @@ impl Arena {
 
     /// |p| for a real p: of a product the product.
     pub(super) fn abs(&mut self, p: &Polynomial) -> Result<Polynomial> {
+        let p = self.simplest(p)?;
         if let [(monomial, c)] = p.terms()
             && let Some(term) = self.real_term(*monomial, c)?
             && let Some(abs) = self.abs_of_term(&term)?

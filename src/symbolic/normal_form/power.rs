@@ -20,6 +20,7 @@ impl Arena {
         if e.is_integer() {
             return self.integer_power(p, e);
         }
+        let p = self.simplest(p)?;
         if let [(monomial, c)] = p.terms()
             && let Some(term) = self.real_term(*monomial, c)?
         {

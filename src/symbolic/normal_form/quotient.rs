@@ -160,6 +160,39 @@ impl Arena {
         })
     }
 
+    /// A sum as the polynomial that stands for it, a single term as it is.
+    pub(super) fn simplest(&mut self, p: &Polynomial) -> Result<Rc<Polynomial>> {
+        if p.len() < 2 {
+            return Ok(Rc::new(p.clone()));
+        }
+        let id = self.representative(p.clone())?;
+        Ok(self.polynomial(id))
+    }
+
+    /// The polynomial without inverses that p is, if one is found.
+    fn without_inverses(&mut self, p: &Polynomial) -> Result<Option<Polynomial>> {
+        if self.keeps_an_inverse(p) {
+            return Ok(None);
+        }
+        let (numerator, denominator) = self.clear(p)?;
+        let quotient = self.exact_quotient(&numerator, &denominator)?;
+        Ok(quotient.filter(|quotient| !self.has_inverses(quotient)))
+    }
+
+    /// Whether the greatest power of the youngest inverse has a single term: no sum divides that, so p is
+    /// nothing simpler.
+    fn keeps_an_inverse(&self, p: &Polynomial) -> bool {
+        let Some((atom, power, _)) = self.last_inverse(p) else {
+            return false;
+        };
+        let factor = (atom, power);
+        let with_it = p
+            .terms()
+            .iter()
+            .filter(|(monomial, _)| self.monomial(*monomial).factors.contains(&factor));
+        with_it.count() == 1
+    }
+
     /// The polynomial that stands for all that equal p once inverses are cleared: x/(1+x) is 1 − 1/(1+x).
     pub(super) fn representative(&mut self, p: Polynomial) -> Result<PolynomialId> {
         if !self.has_inverses(&p) {
@@ -169,13 +202,15 @@ impl Arena {
         if let Some(known) = self.quotients.get(&id) {
             return Ok(*known);
         }
-        let candidates: Vec<PolynomialId> = std::iter::once(PolynomialId::ZERO)
-            .chain(self.representatives.iter().copied())
-            .collect();
-        for candidate in candidates {
+        if let Some(quotient) = self.without_inverses(&p)? {
+            let quotient = self.polynomial_id(quotient)?;
+            self.quotients.insert(id, quotient);
+            return Ok(quotient);
+        }
+        for candidate in self.representatives.clone() {
             let difference = p.sub(&self.polynomial(candidate));
             self.spend(difference.len() as u64)?;
-            if self.clear(&difference)?.0.is_zero() {
+            if !self.keeps_an_inverse(&difference) && self.clear(&difference)?.0.is_zero() {
                 self.quotients.insert(id, candidate);
                 return Ok(candidate);
             }
@@ -186,7 +221,8 @@ impl Arena {
     }
 }
 
-fn negated(factors: &[Factor]) -> Vec<Factor> {
+/// Every factor to the opposite power.
+pub(super) fn negated(factors: &[Factor]) -> Vec<Factor> {
     factors.iter().map(|(atom, k)| (*atom, k.neg())).collect()
 }
 

@@ -1,6 +1,7 @@
 //! Exact rational numbers, fast where they are small.
 
 use rug::{Integer, Rational};
+use std::borrow::Cow;
 use std::cmp::Ordering;
 
 /// An exact rational number in lowest terms.
@@ -34,9 +35,13 @@ impl Ratio {
     }
 
     pub(super) fn to_rational(&self) -> Rational {
+        self.as_rational().into_owned()
+    }
+
+    fn as_rational(&self) -> Cow<'_, Rational> {
         match self {
-            Ratio::Small(n, d) => Rational::from((*n, *d)),
-            Ratio::Large(q) => (**q).clone(),
+            Ratio::Small(n, d) => Cow::Owned(Rational::from((*n, *d))),
+            Ratio::Large(q) => Cow::Borrowed(q),
         }
     }
 
@@ -119,7 +124,7 @@ impl Ratio {
                 );
                 Ratio::reduced(a * d + c * b, b * d)
             }
-            _ => (self.to_rational() + other.to_rational()).into(),
+            _ => Rational::from(&*self.as_rational() + &*other.as_rational()).into(),
         }
     }
 
@@ -137,7 +142,7 @@ impl Ratio {
                     i128::from(*b) * i128::from(*d),
                 )
             }
-            _ => (self.to_rational() * other.to_rational()).into(),
+            _ => Rational::from(&*self.as_rational() * &*other.as_rational()).into(),
         }
     }
 
@@ -199,7 +204,7 @@ impl Ord for Ratio {
             (Ratio::Small(a, b), Ratio::Small(c, d)) => {
                 (i128::from(*a) * i128::from(*d)).cmp(&(i128::from(*c) * i128::from(*b)))
             }
-            _ => self.to_rational().cmp(&other.to_rational()),
+            _ => self.as_rational().cmp(&other.as_rational()),
         }
     }
 }

@@ -31,9 +31,9 @@ fn pi() -> Float {
 /// xᵉ where it is defined.
 fn power(x: &Float, e: &Rational) -> Option<Float> {
     let allowed = if e.is_integer() {
-        *e >= 0 || is_nonzero(x)
+        *e >= 0 || *x != 0
     } else {
-        is_nonzero(x) && *x > 0
+        *x > 0
     };
     allowed.then(|| match e.numer().to_i32() {
         Some(k) if e.is_integer() => x.clone().pow(k),
@@ -62,7 +62,11 @@ pub(super) fn of_expr(expr: &Expr, point: &Point) -> Option<Float> {
             .try_fold(float(&Rational::from(1)), |product, factor| {
                 Some(product * of_expr(factor, point)?)
             })?,
-        Kind::Power(base, e) => power(&of_expr(base, point)?, e)?,
+        Kind::Power(base, e) => {
+            let base = of_expr(base, point)?;
+            let regular = *e > 0 && e.is_integer() || is_nonzero(&base);
+            regular.then(|| power(&base, e))??
+        }
         Kind::Call(function, argument) => call(*function, of_expr(argument, point)?)?,
         Kind::Min(..) | Kind::Max(..) | Kind::Piecewise(..) => return None,
     };
@@ -80,6 +84,8 @@ fn call(function: Function, x: Float) -> Option<Float> {
         Function::Tan => x.tan(),
         Function::Sinh => x.sinh(),
         Function::Cosh => x.cosh(),
+        // Made of exponentials that cancel.
+        Function::Tanh if x.clone().abs() > 32 => return None,
         Function::Tanh => x.tanh(),
         Function::Atan => x.atan(),
         Function::Erf => x.erf(),
@@ -162,7 +168,7 @@ fn of_monomial(monomial: MonomialId, arena: &Arena, point: &Point) -> Option<Com
         let base = match &*arena.atom(*atom) {
             Atom::Symbol(name) => symbol(name, point),
             Atom::Pi => pi(),
-            Atom::Ln(id) => call(Function::Ln, real(*id)?)?,
+            Atom::Ln(id) => real(*id).filter(|x| *x > 0)?.ln(),
             Atom::Erf(id) => real(*id)?.erf(),
             Atom::Atan(id) => real(*id)?.atan(),
             Atom::Abs(id) => real(*id)?.abs(),

@@ -128,7 +128,7 @@ fn a_normal_form_has_the_value_of_its_expression() {
         let Some(same) = of_polynomial(&polynomial, &arena, &point) else {
             return TestResult::error(format!("{f} has a value, its normal form hasn't"));
         };
-        TestResult::from_bool(agree(&value, &same.re) && agree(&(value * 0), &same.im))
+        TestResult::from_bool(agree(&value, &same.re) && agree(&rug::Float::new(1), &same.im))
     }
     check(3000).quickcheck(holds as fn(_, _, _) -> _);
 }
