@@ -1,16 +1,19 @@
 //! Expressions: exact numbers, symbols, arithmetic, elementary functions, branches.
 
+mod branch;
+mod operators;
+mod power;
+
+pub use branch::{Branch, Condition, Relation};
+
 use super::function::Function;
-use rug::{Integer, Rational};
+use power::power_of_number;
+use rug::Rational;
 use std::collections::HashSet;
 use std::collections::hash_map::DefaultHasher;
 use std::fmt::{self, Debug};
 use std::hash::{Hash, Hasher};
-use std::ops;
 use std::sync::Arc;
-
-/// Powers of numbers are worked out up to results of this many bits; larger ones stay powers.
-const MAX_FOLDED_BITS: u64 = 4096;
 
 /// A real expression with exact rational constants.
 ///
@@ -60,62 +63,6 @@ pub enum Kind {
     Max(Expr, Expr),
     /// The value of the first branch whose condition holds, otherwise the last expression.
     Piecewise(Vec<Branch>, Expr),
-}
-
-/// One branch of a piecewise expression.
-#[derive(Clone, Debug, PartialEq, Eq, Hash)]
-pub struct Branch {
-    /// When it is taken.
-    pub condition: Condition,
-    /// What it is then.
-    pub value: Expr,
-}
-
-/// A comparison of two expressions.
-#[derive(Clone, Debug, PartialEq, Eq, Hash)]
-pub struct Condition {
-    /// The left-hand side.
-    pub left: Expr,
-    /// How they are compared.
-    pub relation: Relation,
-    /// The right-hand side.
-    pub right: Expr,
-}
-
-/// How two numbers are compared.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-pub enum Relation {
-    /// <
-    Less,
-    /// <=
-    LessEqual,
-    /// >
-    Greater,
-    /// >=
-    GreaterEqual,
-}
-
-impl Relation {
-    /// Whether `left` stands so to `right`; not where one of them is NaN.
-    pub fn holds<T: PartialOrd>(self, left: &T, right: &T) -> bool {
-        match self {
-            Relation::Less => left < right,
-            Relation::LessEqual => left <= right,
-            Relation::Greater => left > right,
-            Relation::GreaterEqual => left >= right,
-        }
-    }
-
-    /// As it is written.
-    #[must_use]
-    pub fn as_str(self) -> &'static str {
-        match self {
-            Relation::Less => "<",
-            Relation::LessEqual => "<=",
-            Relation::Greater => ">",
-            Relation::GreaterEqual => ">=",
-        }
-    }
 }
 
 impl Expr {
@@ -371,33 +318,6 @@ impl Expr {
     }
 }
 
-/// qᵉ, where it is rational and of reasonable size.
-fn power_of_number(q: &Rational, exponent: &Rational) -> Option<Rational> {
-    if *q == 0 {
-        return (*exponent > 0).then(Rational::new);
-    }
-    let base = match exponent.denom().to_u32()? {
-        1 => q.clone(),
-        _ if *q < 0 => return None,
-        degree => Rational::from((root(q.numer(), degree)?, root(q.denom(), degree)?)),
-    };
-    let exponent = exponent.numer().to_i32()?;
-    let bits = base
-        .numer()
-        .significant_bits()
-        .max(base.denom().significant_bits());
-    if bits > 1 && u64::from(bits) * u64::from(exponent.unsigned_abs()) > MAX_FOLDED_BITS {
-        return None;
-    }
-    Some(rug::ops::Pow::pow(base, exponent))
-}
-
-/// The root of that degree, where it is an integer.
-fn root(n: &Integer, degree: u32) -> Option<Integer> {
-    let (root, rest) = n.clone().root_rem(Integer::new(), degree);
-    (rest == 0).then_some(root)
-}
-
 impl PartialEq for Expr {
     fn eq(&self, other: &Expr) -> bool {
         Arc::ptr_eq(&self.0, &other.0)
@@ -428,42 +348,5 @@ impl From<Rational> for Expr {
 impl From<i32> for Expr {
     fn from(n: i32) -> Expr {
         Expr::number(n)
-    }
-}
-
-macro_rules! operator {
-    ($trait:ident, $method:ident, |$a:ident, $b:ident| $result:expr) => {
-        impl ops::$trait<&Expr> for &Expr {
-            type Output = Expr;
-            fn $method(self, other: &Expr) -> Expr {
-                let ($a, $b) = (self.clone(), other.clone());
-                $result
-            }
-        }
-        impl ops::$trait<Expr> for Expr {
-            type Output = Expr;
-            fn $method(self, other: Expr) -> Expr {
-                let ($a, $b) = (self, other);
-                $result
-            }
-        }
-    };
-}
-operator!(Add, add, |a, b| Expr::sum([a, b]));
-operator!(Sub, sub, |a, b| Expr::sum([a, -b]));
-operator!(Mul, mul, |a, b| Expr::product([a, b]));
-operator!(Div, div, |a, b| Expr::product([a, b.recip()]));
-
-impl ops::Neg for Expr {
-    type Output = Expr;
-    fn neg(self) -> Expr {
-        Expr::product([Expr::number(-1), self])
-    }
-}
-
-impl ops::Neg for &Expr {
-    type Output = Expr;
-    fn neg(self) -> Expr {
-        -self.clone()
     }
 }

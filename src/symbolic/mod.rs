@@ -19,7 +19,9 @@ mod tests;
 pub use expr::{Branch, Condition, Expr, Kind, Relation};
 pub use facts::Facts;
 pub use function::Function;
-pub use parse::{MAX_DEPTH, MAX_EXPONENT, MAX_TEXT, MAX_TOKENS, ParseError, Problem, parse_number};
+pub use parse::{
+    MAX_BITS, MAX_DEPTH, MAX_EXPONENT, MAX_TEXT, MAX_TOKENS, ParseError, Problem, parse_number,
+};
 pub use program::{
     Bound, CompileError, Constant, Instruction, KeptProgram, Operand, Operation, Program,
 };

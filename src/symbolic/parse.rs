@@ -19,7 +19,7 @@ mod token;
 
 pub use error::{ParseError, Problem};
 
-use super::{Branch, Condition, Expr, Function, Relation};
+use super::{Branch, Condition, Expr, Function, Kind, Relation};
 use rug::Rational;
 use std::str::FromStr;
 use token::{Token, Tokens};
@@ -30,6 +30,8 @@ pub const MAX_TEXT: usize = 1 << 16;
 pub const MAX_DEPTH: usize = 100;
 /// The most numbers, names and operations that are read.
 pub const MAX_TOKENS: usize = 1 << 13;
+/// The most bits of the numbers that a sum or a product joins into one.
+pub const MAX_BITS: u64 = 1 << 16;
 /// The greatest numerator and denominator of an exponent.
 pub const MAX_EXPONENT: u32 = 1000;
 
@@ -89,7 +91,24 @@ impl Parser<'_> {
         result
     }
 
+    /// Refuses to join numbers that would take long: their bits add up.
+    fn check_numbers(&self, at: usize, parts: &[Expr]) -> Result<(), ParseError> {
+        let bits = |q: &Rational| {
+            u64::from(q.numer().significant_bits()) + u64::from(q.denom().significant_bits())
+        };
+        let numbers = parts.iter().filter_map(|part| match part.kind() {
+            // A product may begin with a number.
+            Kind::Product(factors) => factors.first()?.as_number(),
+            _ => part.as_number(),
+        });
+        if numbers.map(bits).sum::<u64>() > MAX_BITS {
+            return Err(self.error(at, Problem::NumbersTooLong));
+        }
+        Ok(())
+    }
+
     fn sum(&mut self) -> Result<Expr, ParseError> {
+        let (at, _) = self.tokens.peek();
         let mut terms = vec![self.product()?];
         loop {
             match self.tokens.peek() {
@@ -101,12 +120,16 @@ impl Parser<'_> {
                     self.tokens.next();
                     terms.push(-self.product()?);
                 }
-                _ => return Ok(Expr::sum(terms)),
+                _ => {
+                    self.check_numbers(at, &terms)?;
+                    return Ok(Expr::sum(terms));
+                }
             }
         }
     }
 
     fn product(&mut self) -> Result<Expr, ParseError> {
+        let (start, _) = self.tokens.peek();
         let mut factors = vec![self.signed()?];
         loop {
             match self.tokens.peek() {
@@ -122,7 +145,10 @@ impl Parser<'_> {
                     }
                     factors.push(divisor.recip());
                 }
-                _ => return Ok(Expr::product(factors)),
+                _ => {
+                    self.check_numbers(start, &factors)?;
+                    return Ok(Expr::product(factors));
+                }
             }
         }
     }

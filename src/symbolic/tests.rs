@@ -139,6 +139,12 @@ fn sizes_are_bounded() {
         "9".repeat(2_000).parse::<Expr>().unwrap_err().problem,
         Problem::NumberTooLarge
     ));
+    // Thousands of 4000-bit numbers would take seconds to multiply, and so would their common denominator.
+    for sign in ["*", "+1/"] {
+        let long = vec!["(9^999)"; 500].join(sign);
+        let error = long.parse::<Expr>().unwrap_err();
+        assert_eq!(error.problem, Problem::NumbersTooLong, "{sign}");
+    }
     // The largest powers that can be written come out at once.
     let tower = "9".repeat(1_000) + "^1000*x^1000";
     assert!(tower.parse::<Expr>().is_ok());

@@ -30,15 +30,15 @@ pub enum ZeroTest {
 /// ```
 #[must_use]
 pub fn zero_test(expr: &Expr, ranges: &[(String, Rational, Rational)]) -> ZeroTest {
-    let has_absolute = || {
-        let is_absolute = |node: &&Expr| matches!(node.kind(), Kind::Call(Function::Abs, _));
-        expr.nodes().iter().any(is_absolute)
-    };
     let proved = match reduce(expr) {
         Reduction::Zero => true,
         Reduction::Branches => is_zero_on_pieces(expr, ranges),
-        // |x| = x where x ≥ 0.
-        Reduction::Nonzero { .. } => has_absolute() && is_zero_on_pieces(expr, ranges),
+        Reduction::Nonzero { .. } => {
+            // √(x²) is |x|, and |x| is x where x ≥ 0.
+            let simplified = expr.simplify();
+            let is_absolute = |node: &&Expr| matches!(node.kind(), Kind::Call(Function::Abs, _));
+            simplified.nodes().iter().any(is_absolute) && is_zero_on_pieces(&simplified, ranges)
+        }
         Reduction::DivisionByZero | Reduction::TooLarge => false,
     };
     if proved {

@@ -23,7 +23,9 @@ const TRIALS: u64 = 300;
 /// At 512 segments errors of order 8 are some 2⁻⁷² of the radiance, far above the floor of 2⁻¹⁴⁷.
 const BITS: u32 = 160;
 const LADDER: [u64; 7] = [8, 16, 32, 64, 128, 256, 512];
-/// Where the verdict asks for finer levels: errors of two orders may cancel at one of those above.
+/// Where the verdict may change on finer levels: errors of two orders may cancel at one of those above, and a
+/// small leading coefficient makes a false plateau. So it is with seeds 420 and 1484: orders of 3.07 and
+/// 1.98 up to n = 512 are 1.94 and 1.09 at n = 131072, as theory has it.
 const FINER: [u64; 3] = [1024, 2048, 4096];
 
 /// A medium and a method.
@@ -91,7 +93,11 @@ fn measure(trial: &Trial) -> Result<Measured, String> {
     let mut errors = at(&LADDER)?;
     let mut fit = judge(&errors)?;
     for n in FINER {
-        if fit.verdict != Verdict::PreAsymptotic {
+        let may_change = matches!(
+            fit.verdict,
+            Verdict::PreAsymptotic | Verdict::TooHigh | Verdict::TooLow
+        );
+        if !may_change {
             break;
         }
         errors.extend(at(&[n])?);
@@ -174,11 +180,11 @@ fn judge_trials(seeds: Range<u64>) {
     if let Some((seed, problem)) = problems.into_iter().next() {
         panic!("seed {seed}: {}", shrunk(Trial::of_seed(seed), problem));
     }
-    let confirmed: usize = ["Confirmed", "Exact"]
-        .iter()
-        .filter_map(|name| counts.get(name))
-        .sum();
-    assert!(confirmed * 100 >= trials * 95, "{counts:?}");
+    let count = |verdict: Verdict| counts.get(verdict.name()).copied().unwrap_or(0);
+    // Where theory expects no error at all there is no order to confirm.
+    let with_an_order = trials - count(Verdict::Exact);
+    let confirmed = count(Verdict::Confirmed);
+    assert!(confirmed * 100 >= with_an_order * 95, "{counts:?}");
 }
 
 #[test]

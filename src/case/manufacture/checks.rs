@@ -13,7 +13,6 @@ pub(super) fn all(description: &Description, derived: &Derived) -> Vec<Check> {
     let length = &description.length;
     let lambda = Expr::symbol("lambda");
     let is_zero = |expr: &Expr| vanishes(expr, length);
-    let holds = |expr: &Expr, claim| decided(expr, length, claim);
     let source = derived.source();
     let mut checks = Vec::new();
     let mut add = |statement, outcome| checks.push(Check { statement, outcome });
@@ -22,10 +21,8 @@ pub(super) fn all(description: &Description, derived: &Derived) -> Vec<Check> {
         let back = inverse.substitute("s", &derived.field);
         add(Statement::Inverse, is_zero(&(back - lambda)));
     }
-    add(
-        Statement::FieldDefined,
-        holds(&derived.field, Claim::Defined),
-    );
+    add(Statement::FieldDefined, defined(&derived.field, length));
+    add(Statement::DepthDefined, defined(&derived.depth, length));
     add(Statement::DepthAtZero, at_zero(&derived.depth, length));
     add(
         Statement::DepthContinuous,
@@ -35,11 +32,15 @@ pub(super) fn all(description: &Description, derived: &Derived) -> Vec<Check> {
     add(Statement::DepthDerivative, is_zero(&change));
     add(
         Statement::ExtinctionDefined,
-        holds(&derived.extinction, Claim::Defined),
+        defined(&derived.along(&derived.extinction_of_field), length),
     );
     add(
         Statement::ExtinctionNonNegative,
-        holds(&derived.extinction, Claim::NonNegative),
+        nonnegative(&derived.extinction, length),
+    );
+    add(
+        Statement::RadianceDefined,
+        defined(&derived.radiance, length),
     );
     add(
         Statement::RadianceAtZero,
@@ -79,6 +80,11 @@ pub(super) fn refuse(checks: &[Check]) -> Result<(), ManufactureError> {
 }
 
 impl Derived {
+    /// A function of s along the ray, as it is evaluated: simplified it might have a value at more places.
+    fn along(&self, of_field: &Expr) -> Expr {
+        of_field.substitute("s", &self.field)
+    }
+
     /// C τ e^(−t).
     pub(super) fn source(&self) -> Expr {
         Expr::product([
@@ -109,6 +115,12 @@ fn vanishes(expr: &Expr, length: &Rational) -> Outcome {
 
 /// Whether a constant is 0; `at` is where it is the value of something.
 pub(super) fn constant_vanishes(constant: &Expr, at: &Rational) -> Outcome {
+    if constant.enclose(64, &|_| None).is_err() {
+        // The zero test speaks of what has a value.
+        return Outcome::Undecided {
+            near: Some(at.clone()),
+        };
+    }
     match zero_test(constant, &[]) {
         ZeroTest::Proved => Outcome::Proved,
         ZeroTest::Refuted(witness) => Outcome::Refuted {
@@ -174,11 +186,21 @@ fn continuous(expr: &Expr, length: &Rational) -> Outcome {
     }
 }
 
-/// A claim on an expression of λ, in whichever of its forms it can be decided.
-fn decided(expr: &Expr, length: &Rational, claim: Claim) -> Outcome {
-    let mut forms = vec![expr.clone(), shortest(expr)];
-    forms.extend(expand(expr));
-    forms.dedup();
+/// Whether an expression of λ has a value everywhere. Only forms that have one at the same places will do.
+fn defined(expr: &Expr, length: &Rational) -> Outcome {
+    in_any_form([expr.clone(), expr.simplify()], length, Claim::Defined)
+}
+
+/// Whether an expression of λ is ≥ 0, in whichever of its forms that can be decided; where it has a value
+/// is another statement.
+fn nonnegative(expr: &Expr, length: &Rational) -> Outcome {
+    let forms = [expr.clone(), shortest(expr)]
+        .into_iter()
+        .chain(expand(expr));
+    in_any_form(forms, length, Claim::NonNegative)
+}
+
+fn in_any_form(forms: impl IntoIterator<Item = Expr>, length: &Rational, claim: Claim) -> Outcome {
     let mut near = None;
     for form in forms {
         match decide(&form, "lambda", &Rational::new(), length, claim) {
@@ -192,7 +214,7 @@ fn decided(expr: &Expr, length: &Rational, claim: Claim) -> Outcome {
 
 /// C finite. Where it is 0/0 nothing is known of it: the quotient may have a limit that no formula shows.
 fn emission_defined(derived: &Derived, length: &Rational) -> Outcome {
-    match decided(&derived.emission, length, Claim::Defined) {
+    match defined(&derived.along(&derived.emission_of_field), length) {
         Outcome::Refuted { witness, .. } if is_zero_by_zero(derived, &witness) => {
             Outcome::Undecided {
                 near: Some(witness),
@@ -211,7 +233,7 @@ fn is_zero_by_zero(derived: &Derived, place: &Rational) -> bool {
 
 /// C ≥ 0, where it is a function of the depth by that function too.
 fn emission_nonnegative(derived: &Derived, length: &Rational) -> Outcome {
-    let outcome = match decided(&derived.emission, length, Claim::NonNegative) {
+    let outcome = match nonnegative(&derived.emission, length) {
         Outcome::Refuted {
             witness,
             value: None,

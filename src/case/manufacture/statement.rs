@@ -12,6 +12,8 @@ pub enum Statement {
     Inverse,
     /// s has a value everywhere.
     FieldDefined,
+    /// t has a value everywhere.
+    DepthDefined,
     /// t(0) = 0.
     DepthAtZero,
     /// t is continuous where its pieces meet.
@@ -22,6 +24,8 @@ pub enum Statement {
     ExtinctionDefined,
     /// τ ≥ 0.
     ExtinctionNonNegative,
+    /// I has a value everywhere.
+    RadianceDefined,
     /// I(0) = 0.
     RadianceAtZero,
     /// I is continuous where its pieces meet.
@@ -35,17 +39,12 @@ pub enum Statement {
 }
 
 impl Statement {
-    /// Whether the exact radiance rests on it.
+    /// Whether the exact radiance rests on it: all but the signs, which the integral does not need.
     #[must_use]
     pub fn is_of_closed_form(self) -> bool {
-        matches!(
+        !matches!(
             self,
-            Statement::DepthAtZero
-                | Statement::DepthContinuous
-                | Statement::DepthDerivative
-                | Statement::RadianceAtZero
-                | Statement::RadianceContinuous
-                | Statement::RadianceDerivative
+            Statement::ExtinctionNonNegative | Statement::EmissionNonNegative
         )
     }
 
@@ -61,6 +60,7 @@ impl Statement {
         match self {
             Statement::Inverse => "an inverse that gives lambda back",
             Statement::FieldDefined => "a field with a value everywhere on the ray",
+            Statement::DepthDefined => "a depth with a value everywhere on the ray",
             Statement::DepthAtZero => "a depth that begins at 0",
             Statement::DepthContinuous => "a continuous depth",
             Statement::DepthDerivative => "a depth whose derivative is the extinction",
@@ -68,6 +68,7 @@ impl Statement {
                 "an extinction with a finite value everywhere on the ray"
             }
             Statement::ExtinctionNonNegative => "a depth that never falls",
+            Statement::RadianceDefined => "a radiance with a value everywhere on the ray",
             Statement::RadianceAtZero => "a radiance that begins at 0",
             Statement::RadianceContinuous => "a continuous radiance",
             Statement::RadianceDerivative => "a radiance whose derivative is C tau exp(-t)",
@@ -82,11 +83,13 @@ impl fmt::Display for Statement {
         f.pad(match self {
             Statement::Inverse => "lambda(s(lambda)) = lambda",
             Statement::FieldDefined => "s defined",
+            Statement::DepthDefined => "t defined",
             Statement::DepthAtZero => "t(0) = 0",
             Statement::DepthContinuous => "t continuous",
             Statement::DepthDerivative => "t' = tau",
             Statement::ExtinctionDefined => "tau defined",
             Statement::ExtinctionNonNegative => "tau >= 0",
+            Statement::RadianceDefined => "I defined",
             Statement::RadianceAtZero => "I(0) = 0",
             Statement::RadianceContinuous => "I continuous",
             Statement::RadianceDerivative => "I' = C tau exp(-t)",

@@ -154,6 +154,33 @@ fn wrong_claims_are_refused_with_a_witness() {
 }
 
 #[test]
+fn what_has_no_value_proves_nothing() {
+    // Each is right wherever it has a value, and has none beyond 1/2.
+    let nothing = "ln(1/2 - lambda) - ln(1/2 - lambda)";
+    let of_field = "ln(1/2 - s) - ln(1/2 - s)";
+    let plain = ["lambda", "1", "1", "1 - exp(-lambda)"];
+    for (place, text, statement) in [
+        (0, nothing, Statement::DepthDefined),
+        (1, of_field, Statement::ExtinctionDefined),
+        (2, of_field, Statement::EmissionDefined),
+        (3, nothing, Statement::RadianceDefined),
+    ] {
+        let mut formulas = plain.map(String::from);
+        formulas[place] = format!("{} + {text}", plain[place]);
+        let [depth, extinction, emission, radiance] = formulas;
+        let error = refused(&format!(
+            "{HEAD}depth = \"{depth}\"\nextinction = \"{extinction}\"\nemission = \"{emission}\"\n\
+             radiance = \"{radiance}\""
+        ));
+        let refuted = match &error {
+            ManufactureError::Refuted { statement, .. } => Some(*statement),
+            _ => None,
+        };
+        assert_eq!(refuted, Some(statement), "{error}");
+    }
+}
+
+#[test]
 fn negative_emission_is_a_warning() {
     let case = &made(&format!("{HEAD}depth = \"lambda\"\nradiance = \"-lambda\""))[0];
     assert!(case.is_proved() && !case.suits_kernels());

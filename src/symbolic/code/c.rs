@@ -118,10 +118,6 @@ impl Layout for C {
         }
     }
 
-    fn division_raises(&self) -> bool {
-        false
-    }
-
     fn choice(&self, choice: &Choice<'_>) -> String {
         let (condition, opposite) = choice.conditions();
         let (then, otherwise) = (choice.then, choice.otherwise);

@@ -43,7 +43,9 @@ pub(super) trait Layout {
     /// The function to define first where what is called is none of the language's own.
     fn helper(&self, callee: Callee) -> Option<&'static str>;
     /// Whether dividing by 0 is an error.
-    fn division_raises(&self) -> bool;
+    fn division_raises(&self) -> bool {
+        false
+    }
     /// A value that depends on a comparison.
     fn choice(&self, choice: &Choice<'_>) -> String;
     /// What begins a line of comment.

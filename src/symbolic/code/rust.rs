@@ -90,10 +90,6 @@ impl Layout for Rust {
         }
     }
 
-    fn division_raises(&self) -> bool {
-        false
-    }
-
     fn choice(&self, choice: &Choice<'_>) -> String {
         let (condition, opposite) = choice.conditions();
         let (then, otherwise) = (choice.then, choice.otherwise);

@@ -1,6 +1,6 @@
 //! What is wrong with a text, and where.
 
-use super::{MAX_DEPTH, MAX_EXPONENT, MAX_TEXT, MAX_TOKENS};
+use super::{MAX_BITS, MAX_DEPTH, MAX_EXPONENT, MAX_TEXT, MAX_TOKENS};
 use crate::symbolic::Function;
 
 /// What is wrong with a text, and where.
@@ -93,6 +93,9 @@ pub enum Problem {
     /// A number of too many digits or too great an exponent.
     #[error("too large a number (allowed: up to 1000 digits, powers of ten from -1000 to 1000)")]
     NumberTooLarge,
+    /// Numbers that are too long to be added or multiplied.
+    #[error("too long numbers to join (allowed: up to {MAX_BITS} bits together)")]
+    NumbersTooLong,
     /// An exponent with symbols in it.
     #[error("the exponent is no rational number (allowed: numbers; a^b is exp(b*ln(a)))")]
     ExponentNotConstant,

@@ -98,3 +98,12 @@ fn what_only_touches_is_not_guessed() {
     let error = cut("abs(sin(1000*x))", 1).unwrap_err();
     assert_eq!(error, PiecesError::TooMany);
 }
+
+#[test]
+fn roots_of_squares_are_zero_tested_by_sign() {
+    use crate::symbolic::{ZeroTest, zero_test};
+    let range = |from: i32| [("x".to_string(), Rational::from(from), Rational::from(2))];
+    let expr: Expr = "sqrt((1 + x)^2) - 1 - x".parse().unwrap();
+    assert_eq!(zero_test(&expr, &range(-1)), ZeroTest::Proved);
+    assert!(matches!(zero_test(&expr, &range(-2)), ZeroTest::Refuted(_)));
+}
