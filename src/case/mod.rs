@@ -15,7 +15,7 @@ mod tests;
 
 pub use file::{ChannelDescription, Description, FileError, FileProblem, Recipe};
 pub use homogeneous_slab::HomogeneousSlab;
-pub use nodes::{Column, Fresh, Nodes, Number, Shared};
+pub use nodes::{Column, Fresh, Nodes, Number, Recorded, Replayed, Shared};
 pub use reciprocal::{Reciprocal, ReciprocalSquare};
 pub use sine_squared::SineSquared;
 pub use structure::{Along, Break, END_DERIVATIVES, PolynomialTransfer, Structure};
@@ -56,6 +56,17 @@ pub trait Case: Debug + Send + Sync {
     /// τ(s) alone.
     fn extinction<R: Real>(&self, s: &R) -> R {
         self.transfer(s).extinction
+    }
+
+    /// Which way the comparisons in s, C and τ go at λ, in a fixed order: two formats that differ here stand
+    /// on different sides of a jump or a kink. Empty where nothing is compared.
+    fn branches<R: Real>(&self, lambda: &R) -> Vec<bool> {
+        self.transfer_branches(&self.field(lambda))
+    }
+
+    /// Which way the comparisons in C and τ go at the field value s.
+    fn transfer_branches<R: Real>(&self, _s: &R) -> Vec<bool> {
+        Vec::new()
     }
 
     /// The exact optical depth t(λ).

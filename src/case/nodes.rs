@@ -2,11 +2,15 @@
 
 mod fresh;
 mod grid;
+mod recorded;
+mod replayed;
 mod shared;
 #[cfg(test)]
 mod tests;
 
 pub use fresh::Fresh;
+pub use recorded::Recorded;
+pub use replayed::Replayed;
 pub use shared::Shared;
 
 use super::{PolynomialTransfer, Transfer};

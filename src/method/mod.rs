@@ -21,7 +21,7 @@ pub use exponential::{Exponential, Scope};
 pub use inner::{Filling, Inner, OpticalDepth};
 pub use limit::{Limit, Part};
 pub use nested::Nested;
-pub use outer::Outer;
+pub use outer::{Outer, Transmittances};
 pub use preintegrated::{
     Color, Integration, Interpolant, LastSegment, Opacity, Preintegrated, composite,
 };

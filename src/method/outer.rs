@@ -6,6 +6,7 @@ use crate::case::{Column, Nodes, Number};
 use crate::quadrature::Rule;
 use crate::real::{Format, Real};
 use rug::Rational;
+use std::borrow::Cow;
 use std::fmt;
 
 /// The rule for ∫₀ᴰ C τ T dλ.
@@ -39,11 +40,46 @@ impl Outer {
     ) -> Result<Number<N>, MethodError> {
         let (nodes, n) = (attenuation.nodes(), attenuation.segments());
         require_multiple(&self.0, n, self.segments_multiple())?;
+        self.radiance_under(nodes, n, &self.transmittances(attenuation)?)
+    }
+
+    /// T wherever the rule looks.
+    ///
+    /// # Errors
+    /// As [`Attenuation::inside`].
+    pub fn transmittances<'t, N: Nodes>(
+        self,
+        attenuation: &'t Attenuation<'_, N>,
+    ) -> Result<Transmittances<'t, Number<N>>, MethodError> {
+        if self.0.intervals().is_some() {
+            return Ok(vec![Cow::Borrowed(attenuation.at_boundaries())]);
+        }
+        let table = self.0.table(attenuation.nodes().format().bits())?;
+        let offsets = table.nodes.iter();
+        offsets
+            .map(|offset| attenuation.inside(offset).map(Cow::Owned))
+            .collect()
+    }
+
+    /// The radiance with transmittances from elsewhere, those of another format for instance.
+    ///
+    /// # Errors
+    /// [`MethodError::Segments`] where n is no multiple of [`Outer::segments_multiple`].
+    pub fn radiance_under<N: Nodes>(
+        self,
+        nodes: &N,
+        n: u64,
+        transmittances: &[Cow<'_, [Number<N>]>],
+    ) -> Result<Number<N>, MethodError> {
+        require_multiple(&self.0, n, self.segments_multiple())?;
         let format = nodes.format();
         let step = format.ratio(&(Rational::from(nodes.length()) / n));
-        let sum = match self.0.intervals() {
-            Some(intervals) => self.over_boundaries(attenuation, intervals)?,
-            None => self.inside_segments(attenuation)?,
+        let sum = match (self.0.intervals(), transmittances) {
+            (Some(intervals), [at_boundaries, ..]) => {
+                self.over_boundaries(nodes, n, at_boundaries, intervals)?
+            }
+            (Some(_), []) => format.int(0),
+            (None, inside) => self.inside_segments(nodes, n, inside)?,
         };
         Ok(sum * &step)
     }
@@ -51,20 +87,18 @@ impl Outer {
     /// ∑ W C τ T over boundaries, from front to back, in units of the step.
     fn over_boundaries<N: Nodes>(
         self,
-        attenuation: &Attenuation<'_, N>,
+        nodes: &N,
+        n: u64,
+        transmittance: &[Number<N>],
         intervals: u32,
     ) -> Result<Number<N>, MethodError> {
-        let nodes = attenuation.nodes();
         let format = nodes.format();
         let weights = CompositeWeights::new(self.0, intervals, format)?;
-        let column = nodes.boundaries(attenuation.segments());
+        let column = nodes.boundaries(n);
         let last = column.extinction.len() - 1;
         let mut sum = format.int(0);
         let repeating = weights.repeating.iter().cycle();
-        for (i, (term, weight)) in terms(&column, attenuation.at_boundaries())
-            .zip(repeating)
-            .enumerate()
-        {
+        for (i, (term, weight)) in terms(&column, transmittance).zip(repeating).enumerate() {
             let weight = match i {
                 0 => &weights.first,
                 i if i == last => &weights.last,
@@ -78,17 +112,18 @@ impl Outer {
     /// ∑ₖ wₖ ∑ⱼ C τ T at the nodes inside the segments, in units of the step.
     fn inside_segments<N: Nodes>(
         self,
-        attenuation: &Attenuation<'_, N>,
+        nodes: &N,
+        n: u64,
+        transmittances: &[Cow<'_, [Number<N>]>],
     ) -> Result<Number<N>, MethodError> {
-        let nodes = attenuation.nodes();
         let format = nodes.format();
         let table = self.0.table(format.bits())?;
         let mut sum = format.int(0);
-        for (offset, weight) in table.nodes.iter().zip(&table.weights) {
-            let column = nodes.interior(attenuation.segments(), offset);
-            let transmittance = attenuation.inside(offset)?;
+        let inside = table.nodes.iter().zip(&table.weights).zip(transmittances);
+        for ((offset, weight), transmittance) in inside {
+            let column = nodes.interior(n, offset);
             let mut part = format.int(0);
-            for term in terms(&column, &transmittance) {
+            for term in terms(&column, transmittance) {
                 part += &term;
             }
             sum += &(part * &format.ratio(weight));
@@ -96,6 +131,9 @@ impl Outer {
         Ok(sum)
     }
 }
+
+/// T wherever an outer rule looks: at the boundaries, in one row, or a row for each node inside the segments.
+pub type Transmittances<'t, R> = Vec<Cow<'t, [R]>>;
 
 /// C τ T, node by node.
 fn terms<'a, R: Real>(

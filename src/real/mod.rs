@@ -16,7 +16,8 @@ pub use mpfr::{Mpfr, MpfrReal};
 pub use name::{FormatError, FormatName, MAX_BITS, MIN_BITS, WithFormat};
 pub use native::{Native, NativeFloat};
 
-use rug::Rational;
+use rug::float::Special;
+use rug::{Float, Rational};
 use std::fmt::{Debug, Display};
 use std::ops::{Add, AddAssign, Div, DivAssign, Mul, MulAssign, Neg, Sub, SubAssign};
 
@@ -123,6 +124,18 @@ pub trait Real:
 
     /// The value as an exact rational, `None` for NaN and infinities: how errors are measured.
     fn to_rational(&self) -> Option<Rational>;
+
+    /// The very value as an MPFR number of as many bits as it takes; not finite where this number is not.
+    fn to_float(&self) -> Float {
+        match self.to_rational() {
+            Some(value) => {
+                // Every format's numbers are binary fractions.
+                let bits = value.numer().significant_bits().max(self.format().bits());
+                Float::with_val(bits.max(MIN_BITS), value)
+            }
+            None => Float::with_val(self.format().bits().max(MIN_BITS), Special::Nan),
+        }
+    }
 
     /// log₂|x| in binary64, −∞ for 0: survives magnitudes far outside binary64's range.
     fn log2_abs(&self) -> f64;

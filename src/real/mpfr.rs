@@ -153,6 +153,9 @@ impl Real for MpfrReal {
     fn to_rational(&self) -> Option<Rational> {
         self.0.to_rational()
     }
+    fn to_float(&self) -> Float {
+        self.0.clone()
+    }
     fn log2_abs(&self) -> f64 {
         // Mantissa and exponent apart: neither a rounded logarithm nor binary64's range is in the way.
         let (mantissa, exponent) = self.0.to_f64_exp();

@@ -227,6 +227,10 @@ impl<T: NativeFloat> Real for T {
     fn to_rational(&self) -> Option<Rational> {
         Rational::from_f64(self.to_f64()?)
     }
+    fn to_float(&self) -> Float {
+        // binary64 holds every value of T.
+        Float::with_val(f64::MANTISSA_DIGITS, self.to_f64().unwrap_or(f64::NAN))
+    }
     fn log2_abs(&self) -> f64 {
         self.to_f64().map_or(f64::NAN, |x| x.abs().log2())
     }

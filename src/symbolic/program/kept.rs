@@ -2,7 +2,7 @@
 
 use super::{Bound, Program};
 use crate::real::{Format, Real};
-use std::any::{Any, TypeId};
+use std::any::Any;
 use std::sync::{Arc, PoisonError, RwLock};
 
 /// A program that is run place by place in formats that come and go: constants are rounded once a format.
@@ -12,11 +12,11 @@ pub struct KeptProgram {
     kept: RwLock<Vec<Kept>>,
 }
 
-/// The constants in one format.
+/// The constants in one format. The format itself is the key: emulated formats of the same number type and
+/// the same bits may differ in range.
 #[derive(Debug)]
 struct Kept {
-    number: TypeId,
-    bits: u32,
+    format: Box<dyn Any + Send + Sync>,
     constants: Arc<dyn Any + Send + Sync>,
 }
 
@@ -46,6 +46,11 @@ impl KeptProgram {
         }
     }
 
+    /// Which way every comparison goes at one place, in the order of the program.
+    pub fn branches_at<R: Real>(&self, input: &R) -> Vec<bool> {
+        self.bind(input.format()).branches(&[input])
+    }
+
     /// The values of all outputs at one place, in the format of the first input.
     pub fn at<R: Real>(&self, input: &R) -> Vec<R> {
         self.bind(input.format()).at(&[input])
@@ -53,10 +58,9 @@ impl KeptProgram {
 
     fn find<F: Format>(&self, format: F) -> Option<Arc<[F::Real]>> {
         let kept = self.kept.read().unwrap_or_else(PoisonError::into_inner);
-        let (number, bits) = (TypeId::of::<F::Real>(), format.bits());
         let found = kept
             .iter()
-            .find(|kept| kept.number == number && kept.bits == bits)?;
+            .find(|kept| kept.format.downcast_ref() == Some(&format))?;
         found.constants.downcast_ref::<Arc<[F::Real]>>().cloned()
     }
 
@@ -64,8 +68,7 @@ impl KeptProgram {
         let constants = self.program.constants_in(format);
         let mut kept = self.kept.write().unwrap_or_else(PoisonError::into_inner);
         kept.push(Kept {
-            number: TypeId::of::<F::Real>(),
-            bits: format.bits(),
+            format: Box::new(format),
             constants: Arc::new(Arc::clone(&constants)),
         });
         constants

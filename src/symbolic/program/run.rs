@@ -78,6 +78,32 @@ impl<F: Format> Bound<'_, F> {
             .collect()
     }
 
+    /// Which way every comparison of a piecewise expression goes at one place, in the order of the program.
+    #[must_use]
+    pub fn branches(&self, inputs: &[&F::Real]) -> Vec<bool> {
+        let block: Vec<&[F::Real]> = inputs
+            .iter()
+            .map(|&value| std::slice::from_ref(value))
+            .collect();
+        let mut registers = vec![self.format.int(0); self.program.registers];
+        self.run_block(&block, 1, 1, &mut registers);
+        // No register is filled twice, so what was compared still stands there.
+        let value = |operand| lane(self.values(operand, &block, &registers, 1, 1), 0);
+        self.program
+            .instructions
+            .iter()
+            .filter_map(|instruction| match instruction.operation {
+                Operation::Select {
+                    relation,
+                    left,
+                    right,
+                    ..
+                } => Some(relation.holds(value(left), value(right))),
+                _ => None,
+            })
+            .collect()
+    }
+
     fn values<'v>(
         &'v self,
         operand: Operand,
