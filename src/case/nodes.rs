@@ -9,7 +9,7 @@ mod shared;
 mod tests;
 
 pub use fresh::Fresh;
-pub use recorded::Recorded;
+pub use recorded::{Recorded, Recording};
 pub use replayed::Replayed;
 pub use shared::Shared;
 

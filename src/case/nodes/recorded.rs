@@ -16,6 +16,22 @@ pub struct Recorded<'a, N: Nodes> {
     log: Mutex<Log<Number<N>>>,
 }
 
+/// The inputs of a run.
+#[derive(Clone, Debug)]
+pub struct Recording<'a, N: Nodes> {
+    nodes: &'a N,
+    log: Arc<Log<Number<N>>>,
+}
+
+impl<'a, N: Nodes> Recording<'a, N> {
+    /// The inputs, exactly, for runs in MPFR with `bits` bits: at least as many as the recorded format has,
+    /// or they are rounded.
+    #[must_use]
+    pub fn replay(&self, bits: u32) -> Replayed<'a, N> {
+        Replayed::new(self.nodes, Arc::clone(&self.log), bits)
+    }
+}
+
 /// What was asked for.
 #[derive(Clone, Debug)]
 pub(super) struct Log<R> {
@@ -40,10 +56,12 @@ impl<'a, N: Nodes> Recorded<'a, N> {
         }
     }
 
-    /// The values recorded so far, exactly, for runs in MPFR with `bits` bits: at least as many as the
-    /// recorded format has, or they are rounded.
-    pub fn replay(&self, bits: u32) -> Replayed<'a, N> {
-        Replayed::new(self.nodes, Arc::new(self.log().clone()), bits)
+    /// What was recorded so far; what is asked for later is no part of it.
+    pub fn recording(&self) -> Recording<'a, N> {
+        Recording {
+            nodes: self.nodes,
+            log: Arc::new(self.log().clone()),
+        }
     }
 
     fn log(&self) -> MutexGuard<'_, Log<Number<N>>> {

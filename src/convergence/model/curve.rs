@@ -1,0 +1,39 @@
+//! A discretization error over the number of segments, measured and carried on.
+
+/// log₂|e| over log₂ n: straight between levels that were measured, a power law beyond the finest.
+#[derive(Clone, Debug, PartialEq)]
+pub(super) struct Curve {
+    /// (log₂ n, log₂|e|), n ascending; at least one, all finite.
+    points: Vec<(f64, f64)>,
+    /// The order beyond the finest level.
+    order: f64,
+}
+
+impl Curve {
+    /// `None` without a level whose error is neither 0 nor infinite.
+    pub(super) fn new(mut points: Vec<(f64, f64)>, order: Option<f64>) -> Option<Curve> {
+        points.retain(|p| p.0.is_finite() && p.1.is_finite());
+        let last_pair = match points[..] {
+            [.., a, b] => Some((a.1 - b.1) / (b.0 - a.0)),
+            _ => None,
+        };
+        let order = order.or(last_pair)?;
+        (!points.is_empty() && order.is_finite()).then_some(Curve { points, order })
+    }
+
+    /// log₂ of the coarsest level.
+    pub(super) fn first(&self) -> f64 {
+        self.points.first().map_or(0.0, |p| p.0)
+    }
+
+    /// log₂|e| at log₂ n; at the coarsest level and below, what it is there.
+    pub(super) fn at(&self, log2_n: f64) -> f64 {
+        let after = self.points.partition_point(|p| p.0 < log2_n);
+        match (after.checked_sub(1).map(|i| self.points[i]), self.points.get(after)) {
+            (Some(a), Some(b)) => a.1 + (b.1 - a.1) * (log2_n - a.0) / (b.0 - a.0),
+            (Some(last), None) => last.1 - self.order * (log2_n - last.0),
+            (None, Some(first)) => first.1,
+            (None, None) => f64::NEG_INFINITY,
+        }
+    }
+}

@@ -1,0 +1,177 @@
+//! A model of a method's error in a format: where roundoff overtakes discretization, and how good it can get.
+//!
+//! |e|² ≈ D(n)² + (c_i u n^{q_i})² + (c_a u n^{q_a})², with the discretization error D as measured and carried
+//! on by its order, and laws fitted to input and arithmetic rounding. It is a model: fitted where both
+//! are seen, it tells of n and of formats that were not run.
+
+mod curve;
+mod law;
+#[cfg(test)]
+mod tests;
+
+pub use law::{MIN_LEVELS, RoundoffLaw};
+
+use super::Split;
+use super::sample::log2_abs;
+use curve::Curve;
+use rug::Float;
+use serde::Serialize;
+
+/// Numbers of segments are looked for up to 2^this.
+const MOST_LOG2_SEGMENTS: f64 = 60.0;
+/// Steps a doubling of n in which they are looked for.
+const STEPS: u32 = 32;
+/// Most bits that a tolerance may need.
+const MOST_BITS: u32 = 1 << 20;
+
+/// What splits over a ladder tell of a method on a case in a format.
+#[derive(Clone, Debug, PartialEq)]
+pub struct ErrorModel {
+    bits: u32,
+    discretization: Option<Curve>,
+    /// The coarsest level.
+    first: f64,
+    /// What became of rounding.
+    pub laws: Laws,
+}
+
+/// How the parts of roundoff grow with n; `None` where there is too little of one to fit.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+pub struct Laws {
+    /// Input rounding.
+    pub input: Option<RoundoffLaw>,
+    /// Arithmetic rounding.
+    pub arithmetic: Option<RoundoffLaw>,
+    /// Arithmetic rounding that comes of the transmittances.
+    pub of_depth: Option<RoundoffLaw>,
+    /// Arithmetic rounding that comes of summing the radiance.
+    pub of_radiance: Option<RoundoffLaw>,
+}
+
+/// The least error that a method can reach in a format.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+pub struct Best {
+    /// log₂ of the number of segments.
+    pub log2_n: f64,
+    /// log₂ of the error, as a root mean square over neighbouring n.
+    pub log2_error: f64,
+}
+
+impl ErrorModel {
+    /// The model of these splits, n ascending, in a format of `bits` bits; `order` is that of the
+    /// discretization beyond the finest level, where a fit or theory knows one.
+    #[must_use]
+    pub fn new(splits: &[(u64, &Split)], bits: u32, order: Option<f64>) -> Self {
+        let law = |part: &dyn Fn(&Split) -> Option<Float>| {
+            let errors: Vec<_> = splits
+                .iter()
+                .filter_map(|(n, split)| Some((*n, part(split)?, split.resolution.clone())))
+                .collect();
+            RoundoffLaw::fit(&errors, bits)
+        };
+        let points = splits
+            .iter()
+            .filter(|(_, split)| split.discretization.cmp_abs(&split.resolution).is_some_and(|o| o.is_gt()))
+            .map(|(n, split)| ((*n as f64).log2(), log2_abs(&split.discretization)))
+            .collect();
+        ErrorModel {
+            bits,
+            discretization: Curve::new(points, order),
+            first: splits.first().map_or(0.0, |(n, _)| (*n as f64).log2()),
+            laws: Laws {
+                input: law(&|split| Some(split.input.clone())),
+                arithmetic: law(&|split| Some(split.arithmetic.clone())),
+                of_depth: law(&|split| split.of_depth.clone()),
+                of_radiance: law(&|split| Some(split.of_radiance())),
+            },
+        }
+    }
+
+    /// log₂ of the discretization error at n = 2^`log2_n`; −∞ where there is none.
+    #[must_use]
+    pub fn log2_discretization(&self, log2_n: f64) -> f64 {
+        self.discretization.as_ref().map_or(f64::NEG_INFINITY, |curve| curve.at(log2_n))
+    }
+
+    /// log₂ of input and arithmetic rounding together with `bits` bits, as a root mean square.
+    #[must_use]
+    pub fn log2_rounding(&self, log2_n: f64, bits: f64) -> f64 {
+        let laws = [self.laws.input, self.laws.arithmetic];
+        let parts = laws.into_iter().flatten().map(|law| law.log2_at(log2_n, bits));
+        parts.fold(f64::NEG_INFINITY, log2_hypot)
+    }
+
+    /// n*: from there on roundoff is larger than discretization. `None` where one of them is unknown or
+    /// nothing, or where that is below the coarsest level or beyond 2⁶⁰.
+    #[must_use]
+    pub fn crossing(&self) -> Option<f64> {
+        let bits = f64::from(self.bits);
+        let discretizes =
+            |log2_n: f64| self.log2_discretization(log2_n) > self.log2_rounding(log2_n, bits);
+        if self.log2_rounding(self.first, bits) == f64::NEG_INFINITY {
+            return None;
+        }
+        let coarser = self.grid().take_while(|log2_n| *log2_n < MOST_LOG2_SEGMENTS);
+        let last = coarser.filter(|log2_n| discretizes(*log2_n)).last()?;
+        (last + 1.0 / f64::from(STEPS) < MOST_LOG2_SEGMENTS).then(|| last.exp2())
+    }
+
+    /// The best that the method can do in the format, by the model.
+    #[must_use]
+    pub fn best(&self) -> Option<Best> {
+        self.best_with(f64::from(self.bits))
+    }
+
+    fn best_with(&self, bits: f64) -> Option<Best> {
+        let all = self.grid().map(|log2_n| Best {
+            log2_n,
+            log2_error: log2_hypot(self.log2_discretization(log2_n), self.log2_rounding(log2_n, bits)),
+        });
+        let finite = all.filter(|best| best.log2_error.is_finite());
+        finite.min_by(|a, b| a.log2_error.total_cmp(&b.log2_error))
+    }
+
+    /// The fewest bits with which some n reaches an error of 2^`log2_tolerance`, by the model.
+    #[must_use]
+    pub fn bits_for(&self, log2_tolerance: f64) -> Option<u32> {
+        let reaches = |bits: u32| {
+            let best = self.best_with(f64::from(bits));
+            best.is_some_and(|best| best.log2_error <= log2_tolerance)
+        };
+        // More bits never make it worse.
+        let (mut low, mut high) = (1, 2);
+        while !reaches(high) {
+            (low, high) = (high, 2 * high);
+            if high > MOST_BITS {
+                return None;
+            }
+        }
+        while high - low > 1 {
+            let middle = u32::midpoint(low, high);
+            if reaches(middle) {
+                high = middle;
+            } else {
+                low = middle;
+            }
+        }
+        Some(high)
+    }
+
+    /// log₂ n from the coarsest level up.
+    fn grid(&self) -> impl Iterator<Item = f64> {
+        let first = self.discretization.as_ref().map_or(self.first, Curve::first);
+        let steps = f64::from(STEPS);
+        (0_u32..)
+            .map(move |i| first + f64::from(i) / steps)
+            .take_while(|log2_n| *log2_n <= MOST_LOG2_SEGMENTS)
+    }
+}
+
+/// log₂ √(4^a + 4^b).
+fn log2_hypot(a: f64, b: f64) -> f64 {
+    let (large, small) = if a > b { (a, b) } else { (b, a) };
+    if large == f64::NEG_INFINITY {
+        return large;
+    }
+    large + 0.5 * (2.0 * (small - large)).exp2().ln_1p() / std::f64::consts::LN_2
+}
