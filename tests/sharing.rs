@@ -6,12 +6,12 @@ use half::f16;
 use rug::Rational;
 use volver::case::{Case, Fresh, Nodes, Reciprocal, Shared, SineSquared};
 use volver::method::{
-    Color, Exponential, Filling, Inner, Integration, Interpolant, LastSegment, Method, Nested,
-    Opacity, Outer, Preintegrated, Scope,
+    Color, Exponential, Filling, Inner, Integration, Interpolant, LastSegment, Level, Method,
+    Nested, Opacity, Outer, Preintegrated, Scope,
 };
 use volver::quadrature::{Rule, Sampling};
 use volver::real::{Format, Mpfr, Native, Real};
-use volver::study::{Level, Run, Silent};
+use volver::study::{Run, Silent};
 
 fn nested(inner: Inner, outer: Rule, exponential: Exponential, scope: Scope) -> Method {
     Method::Nested(Nested {

@@ -1,9 +1,8 @@
 //! Radiances of many methods over a ladder, and their errors.
 
-use super::Level;
 use crate::case::{Case, Nodes, Shared};
 use crate::convergence::Sample;
-use crate::method::{Integration, Method, MethodError};
+use crate::method::{Integration, Level, Method, MethodError};
 use crate::real::{Format, Mpfr, Real};
 use rayon::prelude::*;
 use rug::{Float, Rational};

@@ -1,10 +1,10 @@
 //! All methods at one level: what they have in common is computed once.
 
-use crate::case::{Nodes, Number};
-use crate::method::{
+use super::{
     Attenuation, Color, Exponential, Inner, Method, MethodError, Nested, Opacity, Preintegrated,
     Scope, composite,
 };
+use crate::case::{Nodes, Number};
 use std::collections::HashMap;
 use std::collections::hash_map::Entry;
 
