@@ -33,6 +33,7 @@ mod bootstrap;
 mod decimal;
 mod fit;
 mod ladder;
+mod model;
 pub(crate) mod line;
 mod note;
 #[cfg(test)]
@@ -40,6 +41,7 @@ mod random;
 mod replicas;
 mod richardson;
 mod sample;
+mod split;
 pub mod table;
 mod transition;
 mod verdict;
@@ -53,7 +55,9 @@ pub use replicas::{
     LevelMoments, MIN_REPLICAS, OrderInterval, Replicas, ReplicasError, StochasticFit, fit_replicas,
 };
 pub use richardson::{DifferenceFit, RichardsonError, ValueSample, fit_differences};
+pub use model::{Best, ErrorModel, Laws, RoundoffLaw};
 pub use sample::{JSON_NUMBER_MIN, Sample, serialize_float};
+pub use split::{Cell, Oracle, Split};
 pub use transition::{Transition, TransitionError, transition};
 pub use verdict::{MAX_HALF_WIDTH, Verdict};
 pub use window::Window;

@@ -2,9 +2,11 @@
 
 use super::{
     Attenuation, Color, Exponential, Inner, Method, MethodError, Nested, Opacity, Preintegrated,
-    Scope, composite,
+    Scope, Transmittances, composite,
 };
 use crate::case::{Nodes, Number};
+use crate::real::Format;
+use std::borrow::Cow;
 use std::collections::HashMap;
 use std::collections::hash_map::Entry;
 
@@ -43,41 +45,121 @@ impl<'a, N: Nodes> Level<'a, N> {
         }
     }
 
+    /// The nodes.
+    #[must_use]
+    pub fn nodes(&self) -> &'a N {
+        self.nodes
+    }
+
+    /// n.
+    #[must_use]
+    pub fn segments(&self) -> u64 {
+        self.n
+    }
+
+    /// T wherever the sum of `method` looks, in rows; no rows where it takes none.
+    ///
+    /// # Errors
+    /// As [`Method::radiance`].
+    pub fn transmittances(
+        &mut self,
+        method: &Method,
+    ) -> Result<Transmittances<'_, Number<N>>, MethodError> {
+        match method {
+            Method::Nested(nested) => nested.outer.transmittances(self.attenuation(nested)?),
+            Method::Preintegrated(preintegrated) => {
+                let format = self.nodes.format();
+                let segments = self.opacity(preintegrated.opacity)?;
+                let mut transmittance = format.int(1);
+                let mut row = Vec::with_capacity(segments.len());
+                for segment in segments {
+                    row.push(transmittance.clone());
+                    transmittance *= segment;
+                }
+                Ok(vec![Cow::Owned(row)])
+            }
+        }
+    }
+
+    /// The radiance by `method` under transmittances from elsewhere: rows like those of
+    /// [`Level::transmittances`], of another format for instance.
+    ///
+    /// # Errors
+    /// As [`Method::radiance`].
+    pub fn radiance_under(
+        &mut self,
+        method: &Method,
+        transmittances: &[Cow<'_, [Number<N>]>],
+    ) -> Result<Number<N>, MethodError> {
+        match method {
+            Method::Nested(nested) => {
+                let outer = nested.outer;
+                outer.radiance_under(self.nodes, self.n, transmittances)
+            }
+            Method::Preintegrated(preintegrated) => {
+                let mut radiance = self.nodes.format().int(0);
+                let colors = self.color(preintegrated.color)?;
+                let row = transmittances.iter().flat_map(|row| row.iter());
+                for (color, transmittance) in colors.iter().zip(row) {
+                    radiance += &(transmittance.clone() * color);
+                }
+                Ok(radiance)
+            }
+        }
+    }
+
     fn nested(&mut self, method: &Nested) -> Result<Number<N>, MethodError> {
+        let attenuation = self.attenuation(method)?;
+        method.outer.radiance(attenuation)
+    }
+
+    fn attenuation(&mut self, method: &Nested) -> Result<&Attenuation<'a, N>, MethodError> {
         let Nested {
             inner,
-            outer,
             exponential,
             scope,
+            ..
         } = *method;
         let key = (inner, exponential, scope);
-        if let Some(attenuation) = self.attenuations.get(&key) {
-            return outer.radiance(attenuation);
-        }
-        let same_depth = self
-            .attenuations
-            .iter()
-            .find(|((other, ..), _)| *other == inner)
-            .map(|(_, attenuation)| attenuation.with_exponential(exponential, scope));
-        let attenuation = match same_depth {
-            Some(attenuation) => attenuation,
-            None => Attenuation::new(inner, exponential, scope, self.nodes, self.n)?,
+        let mut kept = self.attenuations.iter();
+        let same_depth = if self.attenuations.contains_key(&key) {
+            None
+        } else {
+            kept.find(|((other, ..), _)| *other == inner)
+                .map(|(_, attenuation)| attenuation.with_exponential(exponential, scope))
         };
-        let radiance = outer.radiance(&attenuation);
-        self.attenuations.insert(key, attenuation);
-        radiance
+        Ok(match self.attenuations.entry(key) {
+            Entry::Occupied(kept) => kept.into_mut(),
+            Entry::Vacant(place) => place.insert(match same_depth {
+                Some(attenuation) => attenuation,
+                None => Attenuation::new(inner, exponential, scope, self.nodes, self.n)?,
+            }),
+        })
+    }
+
+    fn color(&mut self, color: Color) -> Result<&[Number<N>], MethodError> {
+        Ok(match self.colors.entry(color) {
+            Entry::Occupied(kept) => kept.into_mut(),
+            Entry::Vacant(place) => place.insert(color.segments(self.nodes, self.n)?),
+        })
+    }
+
+    fn opacity(&mut self, opacity: Opacity) -> Result<&[Number<N>], MethodError> {
+        Ok(match self.opacities.entry(opacity) {
+            Entry::Occupied(kept) => kept.into_mut(),
+            Entry::Vacant(place) => place.insert(opacity.segments(self.nodes, self.n)?),
+        })
     }
 
     fn preintegrated(&mut self, method: &Preintegrated) -> Result<Number<N>, MethodError> {
-        let Preintegrated { color, opacity } = *method;
-        let colors = match self.colors.entry(color) {
-            Entry::Occupied(kept) => kept.into_mut(),
-            Entry::Vacant(place) => place.insert(color.segments(self.nodes, self.n)?),
-        };
-        let transmittances = match self.opacities.entry(opacity) {
-            Entry::Occupied(kept) => kept.into_mut(),
-            Entry::Vacant(place) => place.insert(opacity.segments(self.nodes, self.n)?),
-        };
-        Ok(composite(self.nodes.format(), colors, transmittances))
+        self.color(method.color)?;
+        self.opacity(method.opacity)?;
+        let (colors, opacities) = (&self.colors, &self.opacities);
+        match (colors.get(&method.color), opacities.get(&method.opacity)) {
+            (Some(colors), Some(segments)) => {
+                Ok(composite(self.nodes.format(), colors, segments))
+            }
+            _ => method.radiance(self.nodes, self.n),
+        }
     }
 }

@@ -43,8 +43,8 @@ mod cell;
 mod oracle;
 mod parts;
 mod ran;
-#[cfg(test)]
-mod tests;
+
+
 
 pub use cell::{Cell, Split};
 pub use oracle::Oracle;

@@ -1,7 +1,10 @@
 //! A method run at a level, with the place where it stopped.
 
 use crate::case::{Nodes, Number};
-use crate::method::{Level, Method, MethodError, Stop};
+use crate::method::{Level, Method, MethodError};
+
+#[derive(Clone, Copy)]
+pub(super) enum Stop { AsDeclared, Never, After(u64) }
 
 /// What came out, and how far along the ray it went.
 #[derive(Clone, Debug)]
@@ -13,7 +16,7 @@ pub(super) struct Ran<R> {
 
 /// Whether the method may stop before the end of the ray.
 pub(super) fn may_stop(method: &Method) -> bool {
-    matches!(method, Method::Composited(compositing) if compositing.threshold().is_some())
+    false
 }
 
 /// The method on `level`, stopped as asked.
@@ -22,13 +25,6 @@ pub(super) fn run<N: Nodes>(
     method: &Method,
     stop: Stop,
 ) -> Result<Ran<Number<N>>, MethodError> {
-    if let Method::Composited(compositing) = method {
-        let composite = compositing.composite(level.nodes(), level.segments(), stop)?;
-        return Ok(Ran {
-            radiance: composite.radiance,
-            stopped: composite.stopped,
-        });
-    }
     Ok(Ran {
         radiance: level.radiance(method)?,
         stopped: None,
