@@ -2,12 +2,12 @@
 //!
 //! I = ∫₀ᴰ C(s(λ)) τ(s(λ)) exp(−∫₀^λ τ(s(u)) du) dλ.
 //!
-//! In any [`real`] format, a [`case`] gives the field s, the transfer functions C and τ and the exact
-//! radiance, made by hand or from [`symbolic`] expressions; [`quadrature`] gives rules, and a [`method`]
-//! approximates the integral on n segments; [`convergence`] fits the order of accuracy to its errors on a
+//! In any [`real`] format, a [`case`] gives the field s, the transfer functions C and τ and, where it has a
+//! closed form, the exact radiance, made by hand or from [`symbolic`] expressions; [`quadrature`] gives rules, and a [`method`]
+//! approximates the integral on n segments; a [`reference`] is the radiance to any number of digits; [`convergence`] fits the order of accuracy to its errors on a
 //! ladder of n, with an interval and a verdict; a [`study`] does so for many, and [`report`] shows what
 //! came out. A module uses only those that stand before it: `real`, `symbolic`, `case`, `quadrature`,
-//! `method`, `convergence`, `study`, `report`.
+//! `method`, `reference`, `convergence`, `study`, `report`.
 //!
 //! ```
 //! use volver::case::SineSquared;
@@ -29,7 +29,7 @@
 //!
 //! let theory = expected(&method, &SineSquared);
 //! assert_eq!(theory, Expected::Order(2.0));
-//! let fit = fit(&samples(&SineSquared, &run, 0, None), Some(theory))?;
+//! let fit = fit(&samples(&SineSquared, &run, 0, None)?, Some(theory))?;
 //! assert_eq!(fit.verdict, Verdict::Confirmed);
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
@@ -49,6 +49,7 @@ pub mod convergence;
 pub mod method;
 pub mod quadrature;
 pub mod real;
+pub mod reference;
 pub mod report;
 pub mod study;
 pub mod symbolic;

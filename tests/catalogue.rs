@@ -34,8 +34,8 @@ fn fixture() -> HashMap<String, (Float, Float)> {
 fn at_far_end(case: &Manufactured, bits: u32) -> (Float, Float) {
     let format = Mpfr { bits };
     let length = format.ratio(&case.case.length());
-    let depth = case.case.optical_depth(&length).into();
-    (depth, case.case.radiance(&length).into())
+    let depth = case.case.optical_depth(&length).unwrap().into();
+    (depth, case.case.radiance(&length).unwrap().into())
 }
 
 #[test]

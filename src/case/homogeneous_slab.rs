@@ -38,13 +38,14 @@ impl Case for HomogeneousSlab {
         }
     }
 
-    fn optical_depth<R: Real>(&self, lambda: &R) -> R {
-        lambda.format().ratio(&self.extinction) * lambda
+    fn optical_depth<R: Real>(&self, lambda: &R) -> Option<R> {
+        Some(lambda.format().ratio(&self.extinction) * lambda)
     }
 
-    fn radiance<R: Real>(&self, lambda: &R) -> R {
-        let opacity = -(-self.optical_depth(lambda)).exp_m1();
-        opacity * &lambda.format().ratio(&self.emission)
+    fn radiance<R: Real>(&self, lambda: &R) -> Option<R> {
+        let depth = self.optical_depth(lambda)?;
+        let opacity = -(-depth).exp_m1();
+        Some(opacity * &lambda.format().ratio(&self.emission))
     }
 
     fn structure(&self) -> Structure {

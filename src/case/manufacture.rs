@@ -93,8 +93,8 @@ fn one(
         field: derived.field,
         extinction: derived.extinction_of_field,
         emission: derived.emission_of_field,
-        optical_depth: derived.depth,
-        radiance: derived.radiance,
+        optical_depth: Some(derived.depth),
+        radiance: Some(derived.radiance),
     };
     Ok(Manufactured {
         channel: channel.name.clone(),

@@ -34,7 +34,7 @@ pub struct Transfer<R> {
     pub extinction: R,
 }
 
-/// One ray through one medium, with its exact radiance.
+/// One ray through one medium, with its exact radiance where that has a closed form.
 ///
 /// I(λ) = ∫₀^λ C(s(x)) τ(s(x)) exp(−t(x)) dx with t(x) = ∫₀ˣ τ(s(u)) du, for 0 ≤ λ ≤ D.
 ///
@@ -69,11 +69,11 @@ pub trait Case: Debug + Send + Sync {
         Vec::new()
     }
 
-    /// The exact optical depth t(λ).
-    fn optical_depth<R: Real>(&self, lambda: &R) -> R;
+    /// The exact optical depth t(λ); `None`, at every λ, where no closed form is known.
+    fn optical_depth<R: Real>(&self, lambda: &R) -> Option<R>;
 
-    /// The exact radiance I(λ).
-    fn radiance<R: Real>(&self, lambda: &R) -> R;
+    /// The exact radiance I(λ); `None`, at every λ, where no closed form is known.
+    fn radiance<R: Real>(&self, lambda: &R) -> Option<R>;
 
     /// What is known of its smoothness and algebraic form.
     fn structure(&self) -> Structure;

@@ -54,12 +54,12 @@ impl Case for Reciprocal {
         }
     }
 
-    fn optical_depth<R: Real>(&self, lambda: &R) -> R {
-        lambda.clone().ln_1p()
+    fn optical_depth<R: Real>(&self, lambda: &R) -> Option<R> {
+        Some(lambda.clone().ln_1p())
     }
 
-    fn radiance<R: Real>(&self, lambda: &R) -> R {
-        lambda.clone().ln_1p()
+    fn radiance<R: Real>(&self, lambda: &R) -> Option<R> {
+        Some(lambda.clone().ln_1p())
     }
 
     fn structure(&self) -> Structure {
@@ -91,17 +91,17 @@ impl Case for ReciprocalSquare {
         }
     }
 
-    fn optical_depth<R: Real>(&self, lambda: &R) -> R {
-        lambda.clone().ln_1p()
+    fn optical_depth<R: Real>(&self, lambda: &R) -> Option<R> {
+        Some(lambda.clone().ln_1p())
     }
 
-    fn radiance<R: Real>(&self, lambda: &R) -> R {
+    fn radiance<R: Real>(&self, lambda: &R) -> Option<R> {
         // (1 − s²)/2 = (1 − s)(1 + s)/2 = λ s (1 + s)/2, without cancellation at small λ.
         let format = lambda.format();
         let s = reciprocal_field(lambda);
         let mut sum = format.int(1);
         sum += &s;
-        s * lambda * &sum / &format.int(2)
+        Some(s * lambda * &sum / &format.int(2))
     }
 
     fn structure(&self) -> Structure {

@@ -32,18 +32,18 @@ impl Case for SineSquared {
         }
     }
 
-    fn optical_depth<R: Real>(&self, lambda: &R) -> R {
+    fn optical_depth<R: Real>(&self, lambda: &R) -> Option<R> {
         let (sin, _) = (lambda.clone() * lambda).sin_cos();
-        sin / &lambda.format().int(2)
+        Some(sin / &lambda.format().int(2))
     }
 
-    fn radiance<R: Real>(&self, lambda: &R) -> R {
+    fn radiance<R: Real>(&self, lambda: &R) -> Option<R> {
         let two = lambda.format().int(2);
         let (sin, _) = (lambda.clone() * lambda).sin_cos();
         let transmittance = (-(sin.clone() / &two)).exp();
         // 2 (1 − T) − sin λ² T: the first difference without its cancellation at small λ.
         let opacity = -(-(sin.clone() / &two)).exp_m1();
-        opacity * &two - &(sin * &transmittance)
+        Some(opacity * &two - &(sin * &transmittance))
     }
 
     fn structure(&self) -> Structure {

@@ -15,10 +15,10 @@ pub struct Formulas {
     pub extinction: Expr,
     /// C(s), of `s`.
     pub emission: Expr,
-    /// t(λ), of `lambda`.
-    pub optical_depth: Expr,
-    /// I(λ), of `lambda`.
-    pub radiance: Expr,
+    /// t(λ), of `lambda`, where a closed form is known.
+    pub optical_depth: Option<Expr>,
+    /// I(λ), of `lambda`, where a closed form is known.
+    pub radiance: Option<Expr>,
 }
 
 /// A case made of expressions, compiled; cheap to clone.
@@ -35,8 +35,8 @@ struct Inner {
     /// C and τ.
     transfer: KeptProgram,
     extinction: KeptProgram,
-    optical_depth: KeptProgram,
-    radiance: KeptProgram,
+    optical_depth: Option<KeptProgram>,
+    radiance: Option<KeptProgram>,
 }
 
 impl SymbolicCase {
@@ -54,14 +54,18 @@ impl SymbolicCase {
             let outputs: Vec<Expr> = outputs.iter().map(|&output| output.clone()).collect();
             Program::new(&outputs, &[input]).map(KeptProgram::new)
         };
+        let closed_form = |formula: &Option<Expr>| match formula {
+            Some(formula) => compile(&[formula], "lambda").map(Some),
+            None => Ok(None),
+        };
         Ok(SymbolicCase(Arc::new(Inner {
             name: name.into(),
             length,
             field: compile(&[&formulas.field], "lambda")?,
             transfer: compile(&[&formulas.emission, &formulas.extinction], "s")?,
             extinction: compile(&[&formulas.extinction], "s")?,
-            optical_depth: compile(&[&formulas.optical_depth], "lambda")?,
-            radiance: compile(&[&formulas.radiance], "lambda")?,
+            optical_depth: closed_form(&formulas.optical_depth)?,
+            radiance: closed_form(&formulas.radiance)?,
             formulas,
             structure,
         })))
@@ -116,12 +120,12 @@ impl Case for SymbolicCase {
         self.0.transfer.branches_at(s)
     }
 
-    fn optical_depth<R: Real>(&self, lambda: &R) -> R {
-        only(&self.0.optical_depth, lambda)
+    fn optical_depth<R: Real>(&self, lambda: &R) -> Option<R> {
+        Some(only(self.0.optical_depth.as_ref()?, lambda))
     }
 
-    fn radiance<R: Real>(&self, lambda: &R) -> R {
-        only(&self.0.radiance, lambda)
+    fn radiance<R: Real>(&self, lambda: &R) -> Option<R> {
+        Some(only(self.0.radiance.as_ref()?, lambda))
     }
 
     fn structure(&self) -> Structure {

@@ -38,21 +38,21 @@ fn satisfies_its_equations<C: Case>(case: &C) {
         let exact = place(case, k);
         let lambda = FORMAT.ratio(&exact);
         let transfer = case.transfer(&case.field(&lambda));
-        let depth = case.optical_depth(&lambda);
+        let depth = case.optical_depth(&lambda).unwrap();
         // t′ = τ.
-        let slope = derivative(|x| case.optical_depth(x), &exact);
+        let slope = derivative(|x| case.optical_depth(x).unwrap(), &exact);
         assert!(
             (slope - &transfer.extinction).log2_abs() < -190.0,
             "t′ at {exact}"
         );
         // I′ = C τ e⁻ᵗ.
-        let slope = derivative(|x| case.radiance(x), &exact);
+        let slope = derivative(|x| case.radiance(x).unwrap(), &exact);
         let source = transfer.emission * &transfer.extinction * &exp_minus(depth);
         assert!((slope - &source).log2_abs() < -190.0, "I′ at {exact}");
     }
     let zero = FORMAT.int(0);
-    assert_eq!(case.optical_depth(&zero), zero);
-    assert_eq!(case.radiance(&zero), zero);
+    assert_eq!(case.optical_depth(&zero).unwrap(), zero);
+    assert_eq!(case.radiance(&zero).unwrap(), zero);
 }
 
 #[test]
@@ -84,11 +84,11 @@ fn agrees_with_brute_force<C: Case>(case: &C) {
     };
     // 60 digits are 2⁻¹⁹⁹·³.
     assert!(
-        (depth(&end) - &case.optical_depth(&end)).log2_abs() < -200.0,
+        (depth(&end) - &case.optical_depth(&end).unwrap()).log2_abs() < -200.0,
         "{case:?}"
     );
     assert!(
-        (integrate(source, &end) - &case.radiance(&end)).log2_abs() < -200.0,
+        (integrate(source, &end) - &case.radiance(&end).unwrap()).log2_abs() < -200.0,
         "{case:?}"
     );
 }

@@ -2,8 +2,14 @@
 
 use crate::case::{Case, Nodes, Shared};
 use crate::convergence::Sample;
+<<<<<<< HEAD
 use crate::method::{Integration, Level, Method, MethodError};
 use crate::real::{Format, Mpfr, Real};
+=======
+use crate::method::{Integration, Method, MethodError};
+use crate::real::{Format, Real};
+use crate::reference::{self, ReferenceError};
+>>>>>>> 47ae725 (The closed form of a case is optional; reference::radiance evaluates it with a stated error)
 use rayon::prelude::*;
 use rug::{Float, Rational};
 
@@ -19,9 +25,6 @@ pub struct Silent;
 impl Progress for Silent {
     fn advance(&self, _: u64) {}
 }
-
-/// Bits beyond a format's own with which exact radiances and errors are held.
-const GUARD_BITS: u32 = 64;
 
 /// The radiances of some methods on the levels of a ladder, in one format.
 #[derive(Clone, Debug)]
@@ -106,12 +109,9 @@ pub(super) fn exact<R: Real>(x: &R) -> Float {
     }
 }
 
-/// The exact radiance of a case, to 64 bits more than `bits`.
-pub(super) fn exact_radiance<C: Case>(case: &C, bits: u32) -> Float {
-    let format = Mpfr {
-        bits: bits.max(f64::MANTISSA_DIGITS) + GUARD_BITS,
-    };
-    case.radiance(&format.ratio(&case.length())).into()
+/// The exact radiance of a case, held with [`reference::GUARD_BITS`] more than `bits`.
+pub(super) fn exact_radiance<C: Case>(case: &C, bits: u32) -> Result<Float, ReferenceError> {
+    Ok(reference::radiance(case, bits.max(f64::MANTISSA_DIGITS))?.value)
 }
 
 /// Errors of one method, with the floor at every level: the most that its radiances differ from
@@ -119,35 +119,41 @@ pub(super) fn exact_radiance<C: Case>(case: &C, bits: u32) -> Float {
 ///
 /// For an MPFR run without an oracle the floor is the a-priori bound 16·n·u·|I|: each of n terms and
 /// factors is rounded a few times, with relative error u each.
-pub fn samples<C: Case>(case: &C, run: &Run, method: usize, oracle: Option<&Run>) -> Vec<Sample> {
-    let radiance = exact_radiance(case, run.bits);
+///
+/// # Errors
+/// [`ReferenceError`] where the exact radiance is not to be had.
+pub fn samples<C: Case>(
+    case: &C,
+    run: &Run,
+    method: usize,
+    oracle: Option<&Run>,
+) -> Result<Vec<Sample>, ReferenceError> {
+    let radiance = exact_radiance(case, run.bits)?;
     let length = case.length();
     let unit = Float::with_val(64, radiance.abs_ref()) >> run.bits;
     let Some(radiances) = run.radiances.get(method) else {
-        return Vec::new();
+        return Ok(Vec::new());
     };
-    run.ladder
-        .iter()
-        .zip(radiances)
-        .map(|(&n, value)| {
-            let error = Float::with_val(radiance.prec(), value - &radiance);
-            let rounding = match oracle.and_then(|o| o.radiance_at(method, n)) {
-                Some(oracle) => Float::with_val(64, value - oracle).abs(),
-                None => Float::with_val(64, &unit * 16_u32) * n,
-            };
-            let floor = if rounding > unit {
-                rounding
-            } else {
-                unit.clone()
-            };
-            Sample {
-                n: Some(n),
-                step: Rational::from(&length / n).to_f64(),
-                error,
-                floor,
-            }
-        })
-        .collect()
+    let levels = run.ladder.iter().zip(radiances);
+    let samples = levels.map(|(&n, value)| {
+        let error = Float::with_val(radiance.prec(), value - &radiance);
+        let rounding = match oracle.and_then(|o| o.radiance_at(method, n)) {
+            Some(oracle) => Float::with_val(64, value - oracle).abs(),
+            None => Float::with_val(64, &unit * 16_u32) * n,
+        };
+        let floor = if rounding > unit {
+            rounding
+        } else {
+            unit.clone()
+        };
+        Sample {
+            n: Some(n),
+            step: Rational::from(&length / n).to_f64(),
+            error,
+            floor,
+        }
+    });
+    Ok(samples.collect())
 }
 
 impl Run {

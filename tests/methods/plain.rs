@@ -42,10 +42,10 @@ impl Case for Ramp {
             extinction: (bend * s + &slope) * s + &constant,
         }
     }
-    fn optical_depth<R: Real>(&self, _: &R) -> R {
+    fn optical_depth<R: Real>(&self, _: &R) -> Option<R> {
         unimplemented!("no method may look at it")
     }
-    fn radiance<R: Real>(&self, _: &R) -> R {
+    fn radiance<R: Real>(&self, _: &R) -> Option<R> {
         unimplemented!("no method may look at it")
     }
     fn structure(&self) -> Structure {

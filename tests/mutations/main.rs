@@ -77,12 +77,12 @@ fn originals() -> Vec<Original> {
                 let mut description = description.clone();
                 let mut channel = channel.clone();
                 channel.emission = Some(formulas.emission.clone());
-                channel.radiance = Some(formulas.radiance.clone());
+                channel.radiance.clone_from(&formulas.radiance);
                 channel.emission_of_depth = None;
                 description.channels = vec![channel];
                 description.extinction = Some(formulas.extinction.clone());
                 description.inverse = None;
-                let attenuation = (-&formulas.optical_depth).exp();
+                let attenuation = (-formulas.optical_depth.as_ref().unwrap()).exp();
                 Original {
                     source: &(&made.emission * &made.extinction) * &attenuation,
                     extinction: made.extinction,
@@ -98,8 +98,8 @@ fn originals() -> Vec<Original> {
 impl Original {
     fn formula(&self, of: Of) -> &Expr {
         match of {
-            Of::Depth => &self.formulas.optical_depth,
-            Of::Radiance => &self.formulas.radiance,
+            Of::Depth => self.formulas.optical_depth.as_ref().unwrap(),
+            Of::Radiance => self.formulas.radiance.as_ref().unwrap(),
         }
     }
 }

@@ -86,8 +86,8 @@ fn measure(trial: &Trial) -> Result<Measured, String> {
     let expected = expected(&method, &case);
     let at = |ladder: &[u64]| {
         let run = Run::new(&case, Mpfr { bits: BITS }, &[method], ladder, &Silent);
-        run.map(|run| samples(&case, &run, 0, None))
-            .map_err(|e| e.to_string())
+        let run = run.map_err(|e| e.to_string())?;
+        samples(&case, &run, 0, None).map_err(|e| e.to_string())
     };
     let judge = |errors: &[Sample]| fit(errors, Some(expected)).map_err(|e| e.to_string());
     let mut errors = at(&LADDER)?;

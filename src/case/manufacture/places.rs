@@ -7,19 +7,22 @@ use rug::{Float, Rational};
 
 impl Manufactured {
     /// The ray cut wherever a function goes from one branch to another. The expressions of each piece are
-    /// s, C, τ, t and I along λ, in this order, and hold up to both of its ends.
+    /// s, C, τ and, where they have a closed form, t and I along λ, in this order, and hold up to both of
+    /// its ends.
     ///
     /// # Errors
     /// [`PiecesError`] where branches cannot be told apart.
     pub fn pieces(&self) -> Result<Vec<Piece>, PiecesError> {
+        self.cut(&self.along())
+    }
+
+    /// s, C, τ and, where they have a closed form, t and I, of `lambda`.
+    #[must_use]
+    pub fn along(&self) -> Vec<Expr> {
         let formulas = self.case.formulas();
-        self.cut(&[
-            formulas.field.clone(),
-            self.emission.clone(),
-            self.extinction.clone(),
-            formulas.optical_depth.clone(),
-            formulas.radiance.clone(),
-        ])
+        let media = [&formulas.field, &self.emission, &self.extinction];
+        let closed_forms = formulas.optical_depth.iter().chain(&formulas.radiance);
+        media.into_iter().chain(closed_forms).cloned().collect()
     }
 
     /// Where along λ each break of the case's [`Structure`](crate::case::Structure) is, in their order;

@@ -28,11 +28,11 @@ impl Case for Identity {
             extinction: s.clone(),
         }
     }
-    fn optical_depth<R: Real>(&self, lambda: &R) -> R {
-        lambda.clone() * lambda / &lambda.format().int(2)
+    fn optical_depth<R: Real>(&self, lambda: &R) -> Option<R> {
+        Some(lambda.clone() * lambda / &lambda.format().int(2))
     }
-    fn radiance<R: Real>(&self, lambda: &R) -> R {
-        lambda.clone()
+    fn radiance<R: Real>(&self, lambda: &R) -> Option<R> {
+        Some(lambda.clone())
     }
     fn structure(&self) -> Structure {
         Structure::default()

@@ -3,10 +3,11 @@
 use super::{Loaded, value};
 use rug::float::Round;
 use rug::{Float, Rational};
-use serde::Serialize;
+use serde::{Serialize, Serializer};
 use volver::case::Case;
 use volver::case::manufacture::{Check, Manufactured, Outcome, Statement};
 use volver::convergence::serialize_float;
+use volver::symbolic::Expr;
 
 /// What the help says of the document.
 pub(crate) const HELP: &str = "\
@@ -31,10 +32,10 @@ struct Object<'a> {
     tags: &'a [String],
     length: String,
     formulas: Formulas,
-    #[serde(serialize_with = "serialize_float")]
-    optical_depth: Float,
-    #[serde(serialize_with = "serialize_float")]
-    radiance: Float,
+    #[serde(serialize_with = "serialize_optional")]
+    optical_depth: Option<Float>,
+    #[serde(serialize_with = "serialize_optional")]
+    radiance: Option<Float>,
     checks: Vec<Checked>,
     /// The closed form is.
     proved: bool,
@@ -49,8 +50,8 @@ struct Formulas {
     field: String,
     extinction: String,
     emission: String,
-    optical_depth: String,
-    radiance: String,
+    optical_depth: Option<String>,
+    radiance: Option<String>,
     extinction_along: String,
     emission_along: String,
 }
@@ -98,8 +99,8 @@ fn object<'a>(loaded: &'a Loaded, case: &'a Manufactured) -> Object<'a> {
             field: formulas.field.to_string(),
             extinction: formulas.extinction.to_string(),
             emission: formulas.emission.to_string(),
-            optical_depth: formulas.optical_depth.to_string(),
-            radiance: formulas.radiance.to_string(),
+            optical_depth: formulas.optical_depth.as_ref().map(Expr::to_string),
+            radiance: formulas.radiance.as_ref().map(Expr::to_string),
             extinction_along: case.extinction.to_string(),
             emission_along: case.emission.to_string(),
         },
@@ -117,6 +118,13 @@ fn object<'a>(loaded: &'a Loaded, case: &'a Manufactured) -> Object<'a> {
                 source: exact(&b.source),
             })
             .collect(),
+    }
+}
+
+fn serialize_optional<S: Serializer>(x: &Option<Float>, serializer: S) -> Result<S::Ok, S::Error> {
+    match x {
+        Some(x) => serialize_float(x, serializer),
+        None => serializer.serialize_none(),
     }
 }
 

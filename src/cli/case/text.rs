@@ -1,7 +1,7 @@
 //! A case as text: formulas, what was checked, and what a user should know.
 
 use super::{Loaded, value};
-use rug::Rational;
+use rug::{Float, Rational};
 use std::fmt::Write;
 use volver::case::manufacture::{Manufactured, Outcome, Statement};
 use volver::case::{Break, Case};
@@ -70,8 +70,20 @@ impl Page {
         if along_differs(case) && case.extinction != formulas.extinction {
             self.line("tau(lambda)", &case.extinction.to_string());
         }
-        self.line("t(lambda)", &formulas.optical_depth.to_string());
-        self.line("t(D)", &value::decimal(&value::total_depth(case)));
+        self.closed_form(
+            "t",
+            formulas.optical_depth.as_ref(),
+            value::total_depth(case),
+        );
+    }
+
+    /// A closed form, and its value at the far end.
+    fn closed_form(&mut self, of: &str, formula: Option<&Expr>, at_end: Option<Float>) {
+        let formula = formula.map_or("no closed form".into(), Expr::to_string);
+        self.line(&format!("{of}(lambda)"), &formula);
+        if let Some(value) = at_end {
+            self.line(&format!("{of}(D)"), &value::decimal(&value));
+        }
     }
 
     fn channel(&mut self, case: &Manufactured) {
@@ -80,8 +92,7 @@ impl Page {
         if along_differs(case) && case.emission != formulas.emission {
             self.line("C(lambda)", &case.emission.to_string());
         }
-        self.line("I(lambda)", &formulas.radiance.to_string());
-        self.line("I(D)", &value::decimal(&value::radiance(case)));
+        self.closed_form("I", formulas.radiance.as_ref(), value::radiance(case));
         let width = case.checks.iter().map(|c| c.statement.to_string().len());
         let width = width.max().unwrap_or(0);
         for (index, check) in case.checks.iter().enumerate() {

@@ -16,18 +16,18 @@ const DIGITS: usize = 6;
 /// Rational numbers of more characters are shown as decimals.
 const LONGEST: usize = 24;
 
-/// t(D).
-pub(crate) fn total_depth(case: &Manufactured) -> Float {
+/// t(D), where it has a closed form.
+pub(crate) fn total_depth(case: &Manufactured) -> Option<Float> {
     let length = case.case.length();
-    let depth = enclosed(&case.case.formulas().optical_depth, &length);
-    depth.unwrap_or_else(|| case.case.optical_depth(&SHOWN.ratio(&length)).into())
+    let depth = enclosed(case.case.formulas().optical_depth.as_ref()?, &length);
+    depth.or_else(|| Some(case.case.optical_depth(&SHOWN.ratio(&length))?.into()))
 }
 
-/// I(D).
-pub(crate) fn radiance(case: &Manufactured) -> Float {
+/// I(D), where it has a closed form.
+pub(crate) fn radiance(case: &Manufactured) -> Option<Float> {
     let length = case.case.length();
-    let radiance = enclosed(&case.case.formulas().radiance, &length);
-    radiance.unwrap_or_else(|| case.case.radiance(&SHOWN.ratio(&length)).into())
+    let radiance = enclosed(case.case.formulas().radiance.as_ref()?, &length);
+    radiance.or_else(|| Some(case.case.radiance(&SHOWN.ratio(&length))?.into()))
 }
 
 /// The value at λ, whatever cancels in it; `None` where it may be 0 and is not certainly.

@@ -1,6 +1,7 @@
 //! The list of cases: a line a channel.
 
 use crate::cli::case::{Loaded, value};
+use rug::Float;
 use std::collections::BTreeSet;
 use std::fmt::Write;
 use volver::case::Case;
@@ -76,8 +77,8 @@ fn row<'a>(loaded: &'a Loaded, case: &Manufactured) -> Row<'a> {
         cells: [
             case.case.name().into(),
             value::rational(&case.case.length()),
-            value::decimal(&value::total_depth(case)),
-            value::decimal(&value::radiance(case)),
+            shown(value::total_depth(case)),
+            shown(value::radiance(case)),
             state.into(),
         ],
         tags: &loaded.description.tags,
@@ -85,6 +86,10 @@ fn row<'a>(loaded: &'a Loaded, case: &Manufactured) -> Row<'a> {
             .map(|check| format!("{}: {}", check.statement, value::outcome(&check.outcome)))
             .collect(),
     }
+}
+
+fn shown(value: Option<Float>) -> String {
+    value.map_or("-".into(), |value| value::decimal(&value))
 }
 
 /// Names to the left, numbers to the right.

@@ -38,14 +38,12 @@ pub(super) fn render(loaded: &Loaded, language: Language) -> Result<String, Comp
                 &formulas.extinction,
                 "s",
             ),
-            (
-                "optical_depth",
-                "Optical depth t from 0 to lambda.",
-                &formulas.optical_depth,
-                "lambda",
-            ),
         ] {
             wanted.push(Wanted::new(name.into(), doc.into(), of, input)?);
+        }
+        if let Some(depth) = &formulas.optical_depth {
+            let doc = "Optical depth t from 0 to lambda.".into();
+            wanted.push(Wanted::new("optical_depth".into(), doc, depth, "lambda")?);
         }
     }
     for case in &loaded.cases {
@@ -60,12 +58,11 @@ pub(super) fn render(loaded: &Loaded, language: Language) -> Result<String, Comp
             &formulas.emission,
             "s",
         )?);
-        wanted.push(Wanted::new(
-            format!("radiance{suffix}"),
-            format!("Exact radiance I from 0 to lambda{of_channel}."),
-            &formulas.radiance,
-            "lambda",
-        )?);
+        if let Some(radiance) = &formulas.radiance {
+            let doc = format!("Exact radiance I from 0 to lambda{of_channel}.");
+            let name = format!("radiance{suffix}");
+            wanted.push(Wanted::new(name, doc, radiance, "lambda")?);
+        }
     }
     let definitions: Vec<Definition<'_>> = wanted
         .iter()

@@ -16,7 +16,9 @@ pub(super) fn render(loaded: &Loaded) -> String {
         add("D".into(), &Expr::number(case.case.length()));
         add(r"s(\lambda)".into(), &formulas.field);
         add(r"\tau(s)".into(), &formulas.extinction);
-        add(r"t(\lambda)".into(), &formulas.optical_depth);
+        if let Some(depth) = &formulas.optical_depth {
+            add(r"t(\lambda)".into(), depth);
+        }
     }
     for case in &loaded.cases {
         let formulas = case.case.formulas();
@@ -25,7 +27,9 @@ pub(super) fn render(loaded: &Loaded) -> String {
             _ => String::new(),
         };
         add(format!("C{below}(s)"), &formulas.emission);
-        add(format!(r"I{below}(\lambda)"), &formulas.radiance);
+        if let Some(radiance) = &formulas.radiance {
+            add(format!(r"I{below}(\lambda)"), radiance);
+        }
     }
     let mut text = String::new();
     // Writing to a String does not fail.

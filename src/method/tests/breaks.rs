@@ -27,7 +27,7 @@ fn pairs(filling: Filling, outer: Rule) -> Method {
 fn measured(method: &Method, case: &SymbolicCase, coarse: &[u64], fine: &[u64]) -> f64 {
     let format = Mpfr { bits: 200 };
     let nodes = Fresh::new(case, format);
-    let exact = case.radiance(&format.ratio(&case.length()));
+    let exact = case.radiance(&format.ratio(&case.length())).unwrap();
     let largest = |levels: &[u64]| {
         let errors = levels.iter().map(|&n| {
             let error = method.radiance(&nodes, n).unwrap() - &exact;

@@ -17,6 +17,7 @@ use crate::case::{FileError, SymbolicCase, catalogue};
 use crate::convergence::{FitError, fit};
 use crate::method::{Method, MethodError, expected, expected_on};
 use crate::real::Mpfr;
+use crate::reference::ReferenceError;
 use rayon::prelude::*;
 use rows::{case_name, rows};
 
@@ -44,6 +45,9 @@ pub enum NonsmoothError {
     /// A level does not suit a method.
     #[error(transparent)]
     Method(#[from] MethodError),
+    /// The exact radiance is not to be had.
+    #[error(transparent)]
+    Reference(#[from] ReferenceError),
     /// The errors cannot be fitted.
     #[error(transparent)]
     Fit(#[from] FitError),
@@ -141,7 +145,7 @@ fn cell(
     run: &Run,
 ) -> Result<Cell, NonsmoothError> {
     let Column { kind, place, case } = column;
-    let all = samples(case, run, row, None);
+    let all = samples(case, run, row, None)?;
     let numbers: Vec<u64> = STARTS
         .iter()
         .flat_map(|&start| numbers(*place, start))
@@ -151,7 +155,7 @@ fn cell(
         .iter()
         .filter_map(|&start| level::level(*place, start, &all))
         .collect();
-    let usual = samples(case, &run.at_levels(&LADDER), row, None);
+    let usual = samples(case, &run.at_levels(&LADDER), row, None)?;
     Ok(Cell {
         kind: *kind,
         place: *place,

@@ -57,13 +57,13 @@ pub(super) fn entries<C: Case>(
         for (index, cell) in cells.iter().enumerate() {
             let limits = cell.method.limits(case);
             let expected = Expected::from_limits(&limits);
-            let measured = samples(case, &run, index, floors);
+            let measured = samples(case, &run, index, floors)?;
             let mut fit = fit(&measured, Some(expected))?;
             if on_plateau_of_another_part(&fit, &limits) {
                 fit.verdict = Verdict::PreAsymptotic;
             }
-            let in_binary64 = samples(case, &protocol, index, Some(&oracle));
-            let in_exact = samples(case, &protocol_oracle, index, None);
+            let in_binary64 = samples(case, &protocol, index, Some(&oracle))?;
+            let in_exact = samples(case, &protocol_oracle, index, None)?;
             let note = explain(&Evidence {
                 paper: cell.paper,
                 limits: &limits,

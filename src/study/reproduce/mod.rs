@@ -17,6 +17,7 @@ use crate::case::{Reciprocal, SineSquared};
 use crate::convergence::{FitError, ReplicasError};
 use crate::method::{Method, MethodError};
 use crate::real::FormatName;
+use crate::reference::ReferenceError;
 
 /// Bits of the runs that serve as truth, and in which orders are measured where nothing else is asked
 /// for: the finest error of Table 1 is near 1e-23, the floor near 1e-33.
@@ -107,6 +108,9 @@ pub enum ReproduceError {
     /// The errors cannot be fitted.
     #[error(transparent)]
     Fit(#[from] FitError),
+    /// The exact radiance is not to be had.
+    #[error(transparent)]
+    Reference(#[from] ReferenceError),
     /// The replicas cannot be fitted.
     #[error(transparent)]
     Replicas(#[from] ReplicasError),

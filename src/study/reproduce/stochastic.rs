@@ -30,7 +30,7 @@ pub(super) fn entries<C: Case>(
         return Ok(Vec::new());
     }
     let nodes = Shared::new(case, Native::<f64>::new());
-    let radiance = exact_radiance(case, f64::MANTISSA_DIGITS);
+    let radiance = exact_radiance(case, f64::MANTISSA_DIGITS)?;
     let seeds: Vec<u64> = (0..REPLICAS as u64).map(|r| seed.wrapping_add(r)).collect();
     let replicas: Vec<Errors> = seeds
         .par_iter()

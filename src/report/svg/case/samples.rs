@@ -3,7 +3,7 @@
 use crate::case::Case;
 use crate::case::manufacture::Manufactured;
 use crate::real::{Mpfr, MpfrReal};
-use crate::symbolic::{Expr, Piece, Place, Program};
+use crate::symbolic::{Piece, Place, Program};
 use rug::Float;
 use std::f64::consts::LN_10;
 
@@ -123,19 +123,10 @@ fn sample(case: &Manufactured) -> Sampled {
 /// The pieces; the whole ray as one where it cannot be cut.
 fn pieces(case: &Manufactured) -> Vec<Piece> {
     case.pieces().unwrap_or_else(|_| {
-        let formulas = case.case.formulas();
         vec![Piece {
             from: Place::rational(0.into()),
             to: Place::rational(case.case.length()),
-            exprs: [
-                &formulas.field,
-                &case.emission,
-                &case.extinction,
-                &formulas.optical_depth,
-                &formulas.radiance,
-            ]
-            .map(Expr::clone)
-            .to_vec(),
+            exprs: case.along(),
         }]
     })
 }
