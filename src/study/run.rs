@@ -2,14 +2,9 @@
 
 use crate::case::{Case, Nodes, Shared};
 use crate::convergence::Sample;
-<<<<<<< HEAD
 use crate::method::{Integration, Level, Method, MethodError};
-use crate::real::{Format, Mpfr, Real};
-=======
-use crate::method::{Integration, Method, MethodError};
 use crate::real::{Format, Real};
 use crate::reference::{self, ReferenceError};
->>>>>>> 47ae725 (The closed form of a case is optional; reference::radiance evaluates it with a stated error)
 use rayon::prelude::*;
 use rug::{Float, Rational};
 
