@@ -54,7 +54,8 @@ pub(crate) struct Reproduce {
     /// Only columns of Table 1 with this outer rule, repeatable
     #[arg(long, value_name = "RULE", value_parser = RuleName::outer)]
     outer: Vec<RuleName>,
-    /// Format that orders are measured in, repeatable: f16, bf16, f32, f64 or
+    /// Format that orders are measured in, repeatable: f16, bf16, f32, f64, tf32, fp8-e4m3,
+    /// fp8-e5m2, ieee:BITS,EMIN,EMAX, fixed:FRACTION, fixed:INTEGER.FRACTION or
     /// mpfr:BITS [default: mpfr:128]
     #[arg(long = "format", value_name = "FORMAT", value_parser = FormatName::from_str)]
     formats: Vec<FormatName>,

@@ -6,12 +6,16 @@
 //! Constants on a generic path are exact rationals ([`Format::ratio`], [`Format::fraction`]), rounded
 //! once. A binary64 literal there would silently cap every precision at 53 bits.
 
+mod fixed;
+mod ieee;
 mod mpfr;
 mod name;
 mod native;
 #[cfg(test)]
 mod tests;
 
+pub use fixed::{Fixed, FixedReal, MAX_FRACTION, MAX_INTEGER};
+pub use ieee::{Ieee, IeeeReal, MAX_EXPONENT, MAX_IEEE_BITS, Overflow};
 pub use mpfr::{Mpfr, MpfrReal};
 pub use name::{FormatError, FormatName, MAX_BITS, MIN_BITS, WithFormat};
 pub use native::{Native, NativeFloat};
@@ -21,16 +25,17 @@ use rug::{Float, Rational};
 use std::fmt::{Debug, Display};
 use std::ops::{Add, AddAssign, Div, DivAssign, Mul, MulAssign, Neg, Sub, SubAssign};
 
-/// A floating-point format: a value that makes numbers of its own precision.
+/// A number format: a value that makes numbers of its own precision.
 pub trait Format: Copy + Debug + Display + PartialEq + Send + Sync + 'static {
     /// The numbers of this format.
     type Real: Real<Format = Self>;
 
-    /// Significant bits with the leading one: MPFR's convention (binary32: 24, binary64: 53).
+    /// Significant bits with the leading one: MPFR's convention (binary32: 24, binary64: 53). In a
+    /// fixed-point format those of numbers just below 1, where 2^−bits is its quantum.
     fn bits(self) -> u32;
 
-    /// The integer `n`, rounded once to nearest; ∞ where the format's range ends before `n`
-    /// (`int(65536)` in binary16).
+    /// The integer `n`, rounded once to nearest; where the format's range ends before `n`, what the format
+    /// makes of overflow (∞ for `int(65536)` in binary16).
     fn int(self, n: i64) -> Self::Real;
 
     /// The rational `q`, rounded once to nearest, gradual underflow included.

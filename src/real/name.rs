@@ -1,6 +1,12 @@
-//! Formats by name: `f16`, `bf16`, `f32`, `f64`, `mpfr:256`.
+//! Formats by name: `f16`, `bf16`, `f32`, `f64`, `tf32`, `fp8-e4m3`, `fp8-e5m2`, `ieee:24,-126,127`,
+//! `fixed:15`, `fixed:8.24`, `mpfr:256`.
 
-use super::{Format, Mpfr, Native};
+mod error;
+#[cfg(test)]
+mod tests;
+pub use error::FormatError;
+
+use super::{Fixed, Format, Ieee, MAX_INTEGER, Mpfr, Native};
 use half::{bf16, f16};
 use std::fmt;
 use std::str::FromStr;
@@ -21,27 +27,12 @@ pub enum FormatName {
     F32,
     /// IEEE binary64.
     F64,
+    /// An emulated format after IEEE 754.
+    Ieee(Ieee),
+    /// A fixed-point format.
+    Fixed(Fixed),
     /// MPFR with that many significant bits.
     Mpfr(u32),
-}
-
-/// Text that names no format.
-#[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
-pub enum FormatError {
-    /// Not one of the names.
-    #[error("unknown format '{name}' (allowed: f16, bf16, f32, f64, mpfr:BITS)")]
-    Unknown {
-        /// The text given.
-        name: String,
-    },
-    /// MPFR's precision is no number or out of range.
-    #[error(
-        "precision '{bits}' of format 'mpfr:{bits}' is out of range (allowed: mpfr:{MIN_BITS} … mpfr:{MAX_BITS})"
-    )]
-    Precision {
-        /// The text after `mpfr:`.
-        bits: String,
-    },
 }
 
 impl FromStr for FormatName {
@@ -53,20 +44,54 @@ impl FromStr for FormatName {
             "bf16" => Ok(FormatName::Bf16),
             "f32" => Ok(FormatName::F32),
             "f64" => Ok(FormatName::F64),
-            _ => {
-                let Some(bits) = name.strip_prefix("mpfr:") else {
-                    return Err(FormatError::Unknown { name: name.into() });
-                };
-                match bits.parse() {
-                    // A sign is no part of a precision, though Rust's integers take one.
-                    Ok(b) if (MIN_BITS..=MAX_BITS).contains(&b) && !bits.starts_with('+') => {
-                        Ok(FormatName::Mpfr(b))
-                    }
-                    _ => Err(FormatError::Precision { bits: bits.into() }),
-                }
-            }
+            "tf32" => Ok(FormatName::Ieee(Ieee::TF32)),
+            "fp8-e4m3" => Ok(FormatName::Ieee(Ieee::E4M3)),
+            "fp8-e5m2" => Ok(FormatName::Ieee(Ieee::E5M2)),
+            _ => match name.split_once(':') {
+                Some(("ieee", parameters)) => ieee(parameters).map(FormatName::Ieee),
+                Some(("fixed", parameters)) => fixed(parameters).map(FormatName::Fixed),
+                Some(("mpfr", bits)) => mpfr(bits).map(FormatName::Mpfr),
+                _ => Err(FormatError::Unknown { name: name.into() }),
+            },
         }
     }
+}
+
+/// An integer; a plus sign is no part of a name, though Rust's integers take one.
+fn integer<T: FromStr>(digits: &str) -> Option<T> {
+    let digits = Some(digits).filter(|digits| !digits.starts_with('+'))?;
+    digits.parse().ok()
+}
+
+fn mpfr(bits: &str) -> Result<u32, FormatError> {
+    integer(bits)
+        .filter(|bits| (MIN_BITS..=MAX_BITS).contains(bits))
+        .ok_or_else(|| FormatError::Precision { bits: bits.into() })
+}
+
+fn ieee(parameters: &str) -> Result<Ieee, FormatError> {
+    let three = || {
+        let mut parts = parameters.split(',');
+        let bits = integer(parts.next()?)?;
+        let emin = integer(parts.next()?)?;
+        let emax = integer(parts.next()?)?;
+        parts.next().is_none().then_some((bits, emin, emax))
+    };
+    let (bits, emin, emax) = three().ok_or_else(|| FormatError::Ieee {
+        parameters: parameters.into(),
+    })?;
+    Ieee::new(bits, emin, emax)
+}
+
+fn fixed(parameters: &str) -> Result<Fixed, FormatError> {
+    let places = match parameters.split_once('.') {
+        Some((before, after)) => integer(before).zip(integer(after)),
+        None => integer(parameters).map(|after| (MAX_INTEGER, after)),
+    };
+    let (integer, fraction) = places.ok_or_else(|| FormatError::Fixed {
+        parameters: parameters.into(),
+    })?;
+    Fixed::new(integer, fraction)
 }
 
 impl fmt::Display for FormatName {
@@ -76,6 +101,8 @@ impl fmt::Display for FormatName {
             FormatName::Bf16 => f.pad("bf16"),
             FormatName::F32 => f.pad("f32"),
             FormatName::F64 => f.pad("f64"),
+            FormatName::Ieee(format) => format.fmt(f),
+            FormatName::Fixed(format) => format.fmt(f),
             FormatName::Mpfr(bits) => f.pad(&format!("mpfr:{bits}")),
         }
     }
@@ -97,10 +124,9 @@ impl FormatName {
             FormatName::Bf16 => action.run(Native::<bf16>::new()),
             FormatName::F32 => action.run(Native::<f32>::new()),
             FormatName::F64 => action.run(Native::<f64>::new()),
+            FormatName::Ieee(format) => action.run(format),
+            FormatName::Fixed(format) => action.run(format),
             FormatName::Mpfr(bits) => action.run(Mpfr { bits }),
         }
     }
 }
-
-#[cfg(test)]
-mod tests;

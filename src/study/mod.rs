@@ -2,6 +2,7 @@
 
 pub mod nonsmooth;
 pub mod reproduce;
+pub mod sweep;
 mod run;
 
 pub use run::{Progress, Run, Silent, samples};

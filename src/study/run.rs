@@ -99,7 +99,13 @@ pub(super) fn units_a_segment(method: &Method) -> u64 {
 pub(super) fn exact<R: Real>(x: &R) -> Float {
     let bits = x.format().bits();
     match x.to_rational() {
-        Some(value) => Float::with_val(bits, value),
+        Some(value) => {
+            // A fixed-point number above 1 has more significant bits than its format has after the point.
+            let numerator = value.numer();
+            let zeros = numerator.find_one(0).unwrap_or(0);
+            let own = numerator.significant_bits() - zeros;
+            Float::with_val(bits.max(own), value)
+        }
         None => Float::with_val(bits, rug::float::Special::Nan),
     }
 }

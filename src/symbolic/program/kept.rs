@@ -9,16 +9,12 @@ use std::sync::{Arc, PoisonError, RwLock};
 #[derive(Debug)]
 pub struct KeptProgram {
     program: Program,
-    kept: RwLock<Vec<Kept>>,
+    /// A [`Kept`] for each format: one of as many bits may have another range.
+    kept: RwLock<Vec<Box<dyn Any + Send + Sync>>>,
 }
 
-/// The constants in one format. The format itself is the key: emulated formats of the same number type and
-/// the same bits may differ in range.
-#[derive(Debug)]
-struct Kept {
-    format: Box<dyn Any + Send + Sync>,
-    constants: Arc<dyn Any + Send + Sync>,
-}
+/// A format with the constants in it.
+type Kept<F> = (F, Arc<[<F as Format>::Real]>);
 
 impl KeptProgram {
     /// The program, run in no format yet.
@@ -58,19 +54,17 @@ impl KeptProgram {
 
     fn find<F: Format>(&self, format: F) -> Option<Arc<[F::Real]>> {
         let kept = self.kept.read().unwrap_or_else(PoisonError::into_inner);
-        let found = kept
-            .iter()
-            .find(|kept| kept.format.downcast_ref() == Some(&format))?;
-        found.constants.downcast_ref::<Arc<[F::Real]>>().cloned()
+        kept.iter()
+            .filter_map(|kept| kept.downcast_ref::<Kept<F>>())
+            .find(|(kept, _)| *kept == format)
+            .map(|(_, constants)| Arc::clone(constants))
     }
 
     fn keep<F: Format>(&self, format: F) -> Arc<[F::Real]> {
         let constants = self.program.constants_in(format);
         let mut kept = self.kept.write().unwrap_or_else(PoisonError::into_inner);
-        kept.push(Kept {
-            format: Box::new(format),
-            constants: Arc::new(Arc::clone(&constants)),
-        });
+        let entry: Kept<F> = (format, Arc::clone(&constants));
+        kept.push(Box::new(entry));
         constants
     }
 }

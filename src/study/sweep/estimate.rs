@@ -1,0 +1,95 @@
+//! What a study will take, before it is run.
+
+use super::Sweep;
+use crate::method::{Inner, Method};
+use crate::quadrature::Rule;
+use crate::real::FormatName;
+
+/// What a study will take, roughly.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Estimate {
+    /// Most bytes that values of nodes take at once.
+    pub bytes: f64,
+    /// Work in units of about one evaluation of a medium in binary64.
+    pub work: f64,
+}
+
+/// Bytes a number takes beside its digits: the header and the allocation of an MPFR number.
+const HEADER_BYTES: f64 = 48.0;
+/// s, C and τ, kept by place and in a column.
+const NUMBERS_A_NODE: f64 = 6.0;
+/// For each number at a node some more for depths and transmittances of every inner rule.
+const NUMBERS_A_SEGMENT: f64 = 2.0;
+
+impl Estimate {
+    /// Of `sweep` on `threads` threads.
+    #[must_use]
+    pub fn new(sweep: &Sweep, threads: usize) -> Estimate {
+        let finest = sweep.levels.iter().copied().max().unwrap_or(0) as f64;
+        let looks: f64 = sweep.methods.iter().map(looks).sum();
+        let numbers = finest * (NUMBERS_A_NODE + NUMBERS_A_SEGMENT) * looks.max(1.0);
+        // The format's own values, and the oracle's at two precisions.
+        let bytes = |format: &FormatName| {
+            let oracle = oracle_bits(*format);
+            let own = f64::from(significant_bits(*format)) / 8.0 + HEADER_BYTES;
+            own + 3.0 * oracle / 8.0 + 2.0 * HEADER_BYTES
+        };
+        let widest = sweep.formats.iter().map(bytes).fold(0.0, f64::max);
+        let at_once = (2 * threads).min(sweep.cases.len()) as f64;
+        let work = sweep.formats.iter().flat_map(|format| {
+            let levels = sweep.levels.iter();
+            levels.map(|&n| Self::work(sweep, *format, n) as f64)
+        });
+        Estimate {
+            bytes: numbers * widest * at_once,
+            work: work.sum::<f64>() * sweep.cases.len() as f64,
+        }
+    }
+
+    /// Work of one level of one unit.
+    #[must_use]
+    pub fn work(sweep: &Sweep, format: FormatName, n: u64) -> u64 {
+        let weight = 2 + u64::from(significant_bits(format)) / 32;
+        n.saturating_mul(sweep.methods.len() as u64).saturating_mul(weight)
+    }
+}
+
+/// Rows of nodes that a method looks at.
+fn looks(method: &Method) -> f64 {
+    let of_rule = |rule: Rule| match rule {
+        Rule::GaussLegendre(points) => f64::from(points),
+        Rule::Boole => 4.0,
+        Rule::Simpson => 2.0,
+        _ => 1.0,
+    };
+    match method {
+        Method::Nested(nested) => {
+            let inner = match nested.inner {
+                Inner::PerSegment(rule) => of_rule(rule),
+                _ => 1.0,
+            };
+            let outer = match nested.outer.0 {
+                Rule::GaussLegendre(points) => f64::from(points),
+                Rule::Midpoint => 1.0,
+                _ => 0.0,
+            };
+            inner * (1.0 + outer)
+        }
+        _ => 2.0,
+    }
+}
+
+fn oracle_bits(format: FormatName) -> f64 {
+    f64::from(significant_bits(format).saturating_add(64)).max(128.0)
+}
+
+fn significant_bits(format: FormatName) -> u32 {
+    struct Bits;
+    impl crate::real::WithFormat for Bits {
+        type Output = u32;
+        fn run<F: crate::real::Format>(self, format: F) -> u32 {
+            format.bits()
+        }
+    }
+    format.with(Bits)
+}

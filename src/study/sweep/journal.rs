@@ -1,0 +1,272 @@
+//! Finished units, one a line, appended as they come.
+
+use super::record::{Header, Unit};
+use serde::Serialize;
+use std::fs::{File, OpenOptions};
+use std::io::{self, BufRead, BufReader, Seek, SeekFrom, Write};
+use std::path::{Path, PathBuf};
+
+/// A file of finished units behind a header. Every line is written whole and to the disk; a last line that was
+/// cut off is dropped and done again.
+#[derive(Debug)]
+pub struct Journal {
+    path: PathBuf,
+    file: File,
+    units: Vec<Unit>,
+}
+
+/// Why a journal cannot be used.
+#[derive(Debug, thiserror::Error)]
+pub enum JournalError {
+    /// The file cannot be read or written.
+    #[error("{path}: {error} (allowed: a file that can be read and written)")]
+    File {
+        /// The file.
+        path: String,
+        /// What the system said.
+        error: io::Error,
+    },
+    /// There are results already.
+    #[error("{path} holds results already (allowed: --resume to go on, or another directory)")]
+    Exists {
+        /// The file.
+        path: String,
+    },
+    /// The first line is none of this program's.
+    #[error("{path} is no journal of a study (allowed: a directory that volver study wrote)")]
+    NoHeader {
+        /// The file.
+        path: String,
+    },
+    /// The results belong to a study of something else.
+    #[error("{path} holds another study: its {what} are {found}, not {wanted} (allowed: the study it was begun with)")]
+    OtherStudy {
+        /// The file.
+        path: String,
+        /// What differs.
+        what: &'static str,
+        /// What the file says.
+        found: String,
+        /// What is asked for.
+        wanted: String,
+    },
+    /// A line in the middle is no unit of this study.
+    #[error("{path}, line {line}: {reason} (allowed: lines as volver study writes them)")]
+    Line {
+        /// The file.
+        path: String,
+        /// Which line, from 1.
+        line: usize,
+        /// What is wrong.
+        reason: String,
+    },
+}
+
+impl Journal {
+    /// Begins a journal; there must be none yet.
+    ///
+    /// # Errors
+    /// [`JournalError::Exists`], [`JournalError::File`].
+    pub fn begin(path: &Path, header: &Header) -> Result<Journal, JournalError> {
+        let opened = OpenOptions::new().read(true).append(true).create_new(true).open(path);
+        let file = match opened {
+            Ok(file) => file,
+            Err(error) if error.kind() == io::ErrorKind::AlreadyExists => {
+                return Err(JournalError::Exists { path: path.display().to_string() });
+            }
+            Err(error) => return Err(at(path)(error)),
+        };
+        let mut journal = Journal {
+            path: path.into(),
+            file,
+            units: Vec::new(),
+        };
+        journal.write(header)?;
+        Ok(journal)
+    }
+
+    /// Goes on with a journal of the same study, or begins it where there is none.
+    ///
+    /// # Errors
+    /// [`JournalError`] where the file is no such journal.
+    pub fn resume(path: &Path, header: &Header) -> Result<Journal, JournalError> {
+        let opened = OpenOptions::new().read(true).append(true).open(path);
+        let mut file = match opened {
+            Ok(file) => file,
+            Err(error) if error.kind() == io::ErrorKind::NotFound => {
+                return Journal::begin(path, header);
+            }
+            Err(error) => return Err(at(path)(error)),
+        };
+        let (units, whole) = read(path, &mut file, header)?;
+        // What is left of a line that was cut off.
+        file.set_len(whole).map_err(at(path))?;
+        file.seek(SeekFrom::End(0)).map_err(at(path))?;
+        let mut journal = Journal {
+            path: path.into(),
+            file,
+            units,
+        };
+        if whole == 0 {
+            journal.write(header)?;
+        }
+        Ok(journal)
+    }
+
+    /// Takes a finished unit.
+    ///
+    /// # Errors
+    /// [`JournalError::File`].
+    pub fn append(&mut self, unit: Unit) -> Result<(), JournalError> {
+        self.write(&unit)?;
+        self.units.push(unit);
+        Ok(())
+    }
+
+    /// Whether that unit is finished.
+    #[must_use]
+    pub fn has(&self, case: &str, format: &str) -> bool {
+        self.units.iter().any(|unit| unit.case == case && unit.format == format)
+    }
+
+    /// How many units are finished.
+    #[must_use]
+    pub fn len(&self) -> usize {
+        self.units.len()
+    }
+
+    /// Whether none is.
+    #[must_use]
+    pub fn is_empty(&self) -> bool {
+        self.units.is_empty()
+    }
+
+    /// The finished units in the order of the header, whichever came first.
+    #[must_use]
+    pub fn ordered(&self, header: &Header) -> Vec<&Unit> {
+        let find = |(case, format): (&str, &str)| {
+            let mut units = self.units.iter();
+            units.find(|unit| unit.case == case && unit.format == format)
+        };
+        header.units().filter_map(find).collect()
+    }
+
+    /// Writes the journal anew, its units in the order of the header: so that the file is the same, whichever
+    /// unit was finished first.
+    ///
+    /// # Errors
+    /// [`JournalError::File`].
+    pub fn finish(self, header: &Header) -> Result<Vec<Unit>, JournalError> {
+        let units: Vec<Unit> = self.ordered(header).into_iter().cloned().collect();
+        let temporary = self.path.with_extension("jsonl.new");
+        let mut file = File::create(&temporary).map_err(at(&temporary))?;
+        let mut text = line(header);
+        for unit in &units {
+            text += &line(unit);
+        }
+        file.write_all(text.as_bytes()).map_err(at(&temporary))?;
+        file.sync_all().map_err(at(&temporary))?;
+        std::fs::rename(&temporary, &self.path).map_err(at(&self.path))?;
+        Ok(units)
+    }
+
+    fn write(&mut self, value: &impl Serialize) -> Result<(), JournalError> {
+        let written = self.file.write_all(line(value).as_bytes());
+        written
+            .and_then(|()| self.file.sync_data())
+            .map_err(at(&self.path))
+    }
+}
+
+/// The units of a journal, and how many of its bytes are whole lines.
+fn read(
+    path: &Path,
+    file: &mut File,
+    header: &Header,
+) -> Result<(Vec<Unit>, u64), JournalError> {
+    let mut reader = BufReader::new(file);
+    let mut units: Vec<Unit> = Vec::new();
+    let mut whole = 0;
+    for number in 1.. {
+        let mut bytes = Vec::new();
+        let count = reader.read_until(b'\n', &mut bytes).map_err(at(path))?;
+        if bytes.last() != Some(&b'\n') {
+            // The end, or a line that was cut off.
+            break;
+        }
+        if number == 1 {
+            let found = serde_json::from_slice(&bytes);
+            let found: Header = found.map_err(|_| JournalError::NoHeader { path: path.display().to_string() })?;
+            same(path, &found, header)?;
+        } else {
+            let wrong = |reason: String| JournalError::Line {
+                path: path.display().to_string(),
+                line: number,
+                reason,
+            };
+            let unit: Unit = serde_json::from_slice(&bytes).map_err(|e| wrong(e.to_string()))?;
+            check(&unit, header).map_err(wrong)?;
+            if units.iter().any(|u| u.case == unit.case && u.format == unit.format) {
+                return Err(wrong(format!("{} in {} stands there twice", unit.case, unit.format)));
+            }
+            units.push(unit);
+        }
+        whole += count as u64;
+    }
+    Ok((units, whole))
+}
+
+/// Whether a unit has the shape of this study.
+fn check(unit: &Unit, header: &Header) -> Result<(), String> {
+    let Unit { case, format, rows, .. } = unit;
+    if !header.units().any(|(c, f)| c == case && f == format) {
+        return Err(format!("{case} in {format} is no unit of this study"));
+    }
+    let methods = rows.iter().map(|row| &row.method);
+    if !methods.eq(&header.methods) {
+        return Err("the methods are not those of this study".into());
+    }
+    let complete = |levels: &[super::LevelRecord]| levels.iter().map(|l| l.n).eq(header.levels.iter().copied());
+    if !rows.iter().all(|row| complete(&row.levels)) {
+        return Err("the levels are not those of this study".into());
+    }
+    Ok(())
+}
+
+fn same(path: &Path, found: &Header, wanted: &Header) -> Result<(), JournalError> {
+    let differs = |what, found: &[String], wanted: &[String]| JournalError::OtherStudy {
+        path: path.display().to_string(),
+        what,
+        found: found.join(", "),
+        wanted: wanted.join(", "),
+    };
+    let cases = |h: &Header| h.cases.iter().map(|c| c.join(" ")).collect::<Vec<_>>();
+    let levels = |h: &Header| h.levels.iter().map(ToString::to_string).collect::<Vec<_>>();
+    let version = |h: &Header| vec![h.volver.clone()];
+    let compared = [
+        ("version", version(found), version(wanted)),
+        ("cases", cases(found), cases(wanted)),
+        ("methods", found.methods.clone(), wanted.methods.clone()),
+        ("formats", found.formats.clone(), wanted.formats.clone()),
+        ("levels", levels(found), levels(wanted)),
+    ];
+    match compared.iter().find(|(_, found, wanted)| found != wanted) {
+        Some((what, found, wanted)) => Err(differs(what, found, wanted)),
+        None => Ok(()),
+    }
+}
+
+/// One line of JSON; records are made of text and numbers, which always have one.
+fn line(value: &impl Serialize) -> String {
+    let mut line = serde_json::to_string(value).unwrap_or_default();
+    line.push('\n');
+    line
+}
+
+fn at(path: &Path) -> impl Fn(io::Error) -> JournalError {
+    let path = path.display().to_string();
+    move |error| JournalError::File {
+        path: path.clone(),
+        error,
+    }
+}

@@ -1,0 +1,37 @@
+//! Cases × methods × formats × levels, every error split into its parts.
+//!
+//! Work comes in units of one case in one format, under all methods at all levels. A [`Journal`] takes each
+//! unit when it is finished; what is reported is made of a journal's units alone, so that a study that was cut
+//! off and resumed gives the same bytes as one that was not.
+
+mod estimate;
+mod journal;
+mod number;
+mod record;
+mod run;
+mod summary;
+
+
+
+pub use estimate::Estimate;
+pub use journal::{Journal, JournalError};
+pub use record::{Header, LevelRecord, Part, Row, State, Unit};
+pub use run::{Statistics, SweepError, run};
+pub use summary::{Summary, summarize};
+
+use crate::case::SymbolicCase;
+use crate::method::Method;
+use crate::real::FormatName;
+
+/// What to run.
+#[derive(Clone, Debug)]
+pub struct Sweep {
+    /// The cases, each with the name it is reported by; names differ.
+    pub cases: Vec<(String, SymbolicCase)>,
+    /// The methods.
+    pub methods: Vec<Method>,
+    /// The formats.
+    pub formats: Vec<FormatName>,
+    /// Numbers of segments, ascending.
+    pub levels: Vec<u64>,
+}

@@ -1,0 +1,253 @@
+//! What is kept of a study: one line a unit, everything else follows from it.
+
+use super::{Sweep, number};
+use crate::convergence::{Cell, Split};
+use crate::method::Expected;
+use rug::Float;
+use serde::{Deserialize, Serialize};
+
+/// What a study is of, said once at the head of its journal: units of different studies never mix.
+#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct Header {
+    /// The version of the program, whose numbers these are.
+    pub volver: String,
+    /// The cases: name, length, and the formulas of field, extinction, emission.
+    pub cases: Vec<[String; 5]>,
+    /// The methods by name.
+    pub methods: Vec<String>,
+    /// The formats by name.
+    pub formats: Vec<String>,
+    /// Numbers of segments.
+    pub levels: Vec<u64>,
+}
+
+impl Header {
+    /// The head of a journal of this study.
+    #[must_use]
+    pub fn new(sweep: &Sweep) -> Header {
+        let cases = sweep.cases.iter().map(|(name, case)| {
+            let formulas = case.formulas();
+            [
+                name.clone(),
+                crate::case::Case::length(case).to_string(),
+                formulas.field.to_string(),
+                formulas.extinction.to_string(),
+                formulas.emission.to_string(),
+            ]
+        });
+        Header {
+            volver: env!("CARGO_PKG_VERSION").into(),
+            cases: cases.collect(),
+            methods: sweep.methods.iter().map(|m| m.to_string()).collect(),
+            formats: sweep.formats.iter().map(ToString::to_string).collect(),
+            levels: sweep.levels.clone(),
+        }
+    }
+
+    /// The names of all units, in the order in which they are reported.
+    pub fn units(&self) -> impl Iterator<Item = (&str, &str)> {
+        let formats = &self.formats;
+        self.cases
+            .iter()
+            .flat_map(move |[case, ..]| formats.iter().map(move |f| (case.as_str(), f.as_str())))
+    }
+}
+
+/// One case in one format.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct Unit {
+    /// The case's name.
+    pub case: String,
+    /// The format's name.
+    pub format: String,
+    /// Significant bits of the format.
+    pub bits: u32,
+    /// I.
+    #[serde(with = "number")]
+    pub radiance: Float,
+    /// How often the medium was evaluated in the format.
+    pub evaluations: u64,
+    /// The methods, in the order of the header.
+    pub rows: Vec<Row>,
+}
+
+/// One method on one case in one format.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct Row {
+    /// The method's name.
+    pub method: String,
+    /// The order that theory gives it on this case.
+    pub expected: Theory,
+    /// What came out, coarse to fine.
+    pub levels: Vec<LevelRecord>,
+}
+
+/// [`Expected`], as it is kept.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum Theory {
+    /// |e| = O(d^p).
+    Order(f64),
+    /// No discretization error.
+    Exact,
+    /// The order in general, and the one that this case shows.
+    Blind(f64, f64),
+    /// Theory does not say.
+    Unknown,
+}
+
+impl From<Expected> for Theory {
+    fn from(expected: Expected) -> Theory {
+        match expected {
+            Expected::Order(p) => Theory::Order(p),
+            Expected::Exact => Theory::Exact,
+            Expected::Blind { general, here } => Theory::Blind(general, here),
+            Expected::Unknown => Theory::Unknown,
+        }
+    }
+}
+
+impl From<Theory> for Expected {
+    fn from(theory: Theory) -> Expected {
+        match theory {
+            Theory::Order(p) => Expected::Order(p),
+            Theory::Exact => Expected::Exact,
+            Theory::Blind(general, here) => Expected::Blind { general, here },
+            Theory::Unknown => Expected::Unknown,
+        }
+    }
+}
+
+/// What became of a level.
+#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum State {
+    /// The error is split.
+    Split,
+    /// The run took another branch than the same code in MPFR.
+    BranchDiverged,
+    /// NaN or ∞.
+    NotFinite,
+    /// Doubling the oracle's bits went on changing a part.
+    Unsettled,
+    /// The method does not run there, and why.
+    Refused(String),
+}
+
+/// A part of an error, by name.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Part {
+    /// All of it.
+    Total,
+    /// Discretization.
+    Discretization,
+    /// Truncation.
+    Truncation,
+    /// Input rounding.
+    Input,
+    /// Arithmetic rounding.
+    Arithmetic,
+}
+
+/// One method at one level. Parts are missing where the error is not split.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct LevelRecord {
+    /// Segments.
+    pub n: u64,
+    /// What became of it.
+    pub state: State,
+    /// Q_f − I.
+    #[serde(with = "number::optional")]
+    pub total: Option<Float>,
+    /// Q_∞ − I.
+    #[serde(with = "number::optional")]
+    pub discretization: Option<Float>,
+    /// Q_∞ stopped early − Q_∞.
+    #[serde(with = "number::optional")]
+    pub truncation: Option<Float>,
+    /// Q_∞(inputs of f) − Q_∞.
+    #[serde(with = "number::optional")]
+    pub input: Option<Float>,
+    /// Q_f − Q_∞(inputs of f).
+    #[serde(with = "number::optional")]
+    pub arithmetic: Option<Float>,
+    /// The share of it that comes of the transmittances.
+    #[serde(with = "number::optional")]
+    pub of_depth: Option<Float>,
+    /// What the oracle's own rounding may hide.
+    #[serde(with = "number::optional")]
+    pub resolution: Option<Float>,
+    /// Bits of the oracle.
+    pub oracle_bits: Option<u32>,
+}
+
+impl LevelRecord {
+    /// A level where the method does not run.
+    pub(super) fn refused(n: u64, reason: String) -> Self {
+        LevelRecord {
+            n,
+            state: State::Refused(reason),
+            total: None,
+            discretization: None,
+            truncation: None,
+            input: None,
+            arithmetic: None,
+            of_depth: None,
+            resolution: None,
+            oracle_bits: None,
+        }
+    }
+
+    pub(super) fn of(n: u64, cell: &Cell) -> Self {
+        let (state, split, oracle_bits) = match cell {
+            Cell::Split(split) => (State::Split, Some(split), Some(split.bits)),
+            Cell::BranchDiverged { .. } => (State::BranchDiverged, None, None),
+            Cell::NotFinite { .. } => (State::NotFinite, None, None),
+            Cell::Unsettled { bits, .. } => (State::Unsettled, None, Some(*bits)),
+        };
+        let part = |part: fn(&Split) -> &Float| split.map(part).map(number::rounded);
+        LevelRecord {
+            n,
+            state,
+            total: Some(number::rounded(cell.total())),
+            discretization: part(|s| &s.discretization),
+            truncation: part(|s| &s.truncation),
+            input: part(|s| &s.input),
+            arithmetic: part(|s| &s.arithmetic),
+            of_depth: split.and_then(|s| s.of_depth.as_ref()).map(number::rounded),
+            resolution: part(|s| &s.resolution),
+            oracle_bits,
+        }
+    }
+
+    /// A part, where it is known.
+    #[must_use]
+    pub fn part(&self, part: Part) -> Option<&Float> {
+        match part {
+            Part::Total => self.total.as_ref(),
+            Part::Discretization => self.discretization.as_ref(),
+            Part::Truncation => self.truncation.as_ref(),
+            Part::Input => self.input.as_ref(),
+            Part::Arithmetic => self.arithmetic.as_ref(),
+        }
+    }
+
+    /// The split, where the error is split.
+    #[must_use]
+    pub fn split(&self) -> Option<Split> {
+        Some(Split {
+            total: self.total.clone()?,
+            discretization: self.discretization.clone()?,
+            truncation: self.truncation.clone()?,
+            input: self.input.clone()?,
+            arithmetic: self.arithmetic.clone()?,
+            of_depth: self.of_depth.clone(),
+            resolution: self.resolution.clone()?,
+            bits: self.oracle_bits?,
+        })
+    }
+}

@@ -1,0 +1,209 @@
+//! Running a study on all cores.
+
+use super::journal::{Journal, JournalError};
+use super::number;
+use super::record::{LevelRecord, Row, Unit};
+use super::{Estimate, Sweep};
+use crate::case::{Shared, SymbolicCase};
+use crate::convergence::{Cell, Oracle};
+use crate::method::{MethodError, expected_on};
+use crate::real::{Format, FormatName, WithFormat};
+use crate::reference::ReferenceError;
+use crate::study::Progress;
+use rayon::prelude::*;
+use rug::Float;
+use rug::float::Special;
+use std::collections::VecDeque;
+use std::sync::atomic::{AtomicU64, Ordering};
+use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
+use std::thread;
+
+/// Bits that I is known to for a report.
+const RADIANCE_BITS: u32 = 80;
+
+/// Why a study stopped.
+#[derive(Debug, thiserror::Error)]
+pub enum SweepError {
+    /// Its journal cannot be written.
+    #[error(transparent)]
+    Journal(#[from] JournalError),
+    /// A thread ended before its work did.
+    #[error("a thread of the study ended early (allowed: enough memory for the study)")]
+    Thread,
+}
+
+/// What a run cost.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct Statistics {
+    /// Units that were run, those in the journal before not among them.
+    pub units: u64,
+    /// Evaluations of a medium, in the formats of the study.
+    pub evaluations: u64,
+    /// Evaluations of a medium for the oracle.
+    pub oracle_evaluations: u64,
+}
+
+/// A case whose oracle its formats share: there from the first of its units to the last.
+struct Job<'s> {
+    name: &'s str,
+    case: &'s SymbolicCase,
+    oracle: Mutex<Option<Arc<Oracle<'s, SymbolicCase>>>>,
+    left: AtomicU64,
+}
+
+/// Runs what the journal does not have yet, on `threads` threads. Memory is for about twice as many cases as
+/// there are threads, however many the study has.
+///
+/// # Errors
+/// [`SweepError::Journal`] where a finished unit cannot be kept.
+pub fn run(
+    sweep: &Sweep,
+    journal: &mut Journal,
+    threads: usize,
+    progress: &dyn Progress,
+) -> Result<Statistics, SweepError> {
+    let threads = threads.max(1);
+    let todo = queue(sweep, journal, threads);
+    let jobs: Vec<Job<'_>> = sweep
+        .cases
+        .iter()
+        .enumerate()
+        .map(|(index, (name, case))| Job {
+            name,
+            case,
+            oracle: Mutex::new(None),
+            left: AtomicU64::new(todo.iter().filter(|(c, _)| *c == index).count() as u64),
+        })
+        .collect();
+    // With fewer units than threads, the levels of a unit share the threads among them.
+    let levels_in_parallel = todo.len() < threads;
+    let queue = Mutex::new(todo);
+    let journal = Mutex::new(journal);
+    let statistics = Mutex::new(Statistics::default());
+    let work = || -> Result<(), SweepError> {
+        loop {
+            let Some((case, format)) = lock(&queue).pop_front() else {
+                return Ok(());
+            };
+            let job = &jobs[case];
+            let oracle = Arc::clone(
+                lock(&job.oracle)
+                    .get_or_insert_with(|| Arc::new(Oracle::new(job.case, &sweep.methods))),
+            );
+            let unit = format.with(OneUnit {
+                sweep,
+                name: job.name,
+                format,
+                oracle: &oracle,
+                levels_in_parallel,
+                progress,
+            });
+            let mut total = lock(&statistics);
+            total.units += 1;
+            total.evaluations += unit.evaluations;
+            if job.left.fetch_sub(1, Ordering::AcqRel) == 1 {
+                total.oracle_evaluations += oracle.evaluations();
+                lock(&job.oracle).take();
+            }
+            drop(total);
+            if let Err(error) = lock(&journal).append(unit) {
+                // Nothing more can be kept: the others stop after what they have begun.
+                lock(&queue).clear();
+                return Err(error.into());
+            }
+        }
+    };
+    thread::scope(|scope| {
+        let workers: Vec<_> = (0..threads).map(|_| scope.spawn(work)).collect();
+        let ended = workers.into_iter().map(|worker| worker.join().unwrap_or(Err(SweepError::Thread)));
+        // All are waited for, whichever failed.
+        let ended: Vec<_> = ended.collect();
+        ended.into_iter().collect::<Result<(), _>>()
+    })?;
+    Ok(*lock(&statistics))
+}
+
+/// The units left to do. As many cases as there are threads go side by side through the formats: threads then
+/// seldom want the same values at once, and few cases are in memory.
+fn queue(sweep: &Sweep, journal: &Journal, threads: usize) -> VecDeque<(usize, FormatName)> {
+    let indices: Vec<usize> = (0..sweep.cases.len()).collect();
+    let mut queue = VecDeque::new();
+    for cases in indices.chunks(threads) {
+        for format in &sweep.formats {
+            for &case in cases {
+                if !journal.has(&sweep.cases[case].0, &format.to_string()) {
+                    queue.push_back((case, *format));
+                }
+            }
+        }
+    }
+    queue
+}
+
+/// One case in one format, the format still to be chosen.
+struct OneUnit<'a, 's> {
+    sweep: &'s Sweep,
+    name: &'s str,
+    format: FormatName,
+    oracle: &'a Oracle<'s, SymbolicCase>,
+    levels_in_parallel: bool,
+    progress: &'a dyn Progress,
+}
+
+impl WithFormat for OneUnit<'_, '_> {
+    type Output = Unit;
+
+    fn run<F: Format>(self, format: F) -> Unit {
+        let case = self.oracle.case();
+        let nodes = Shared::new(case, format);
+        let at = |&n: &u64| {
+            let cells = self.oracle.split(&nodes, n);
+            self.progress.advance(Estimate::work(self.sweep, self.format, n));
+            records(n, cells, self.sweep.methods.len())
+        };
+        let levels: Vec<Vec<LevelRecord>> = if self.levels_in_parallel {
+            self.sweep.levels.par_iter().map(at).collect()
+        } else {
+            self.sweep.levels.iter().map(at).collect()
+        };
+        let radiance = self.oracle.radiance(RADIANCE_BITS);
+        let rows = self.sweep.methods.iter().enumerate().map(|(m, method)| Row {
+            method: method.to_string(),
+            expected: expected_on(method, case, &self.sweep.levels).into(),
+            levels: levels.iter().map(|level| level[m].clone()).collect(),
+        });
+        Unit {
+            case: self.name.into(),
+            format: self.format.to_string(),
+            bits: format.bits(),
+            radiance: number::rounded(
+                &radiance.unwrap_or_else(|_| Float::with_val(RADIANCE_BITS, Special::Nan)),
+            ),
+            rows: rows.collect(),
+            evaluations: nodes.evaluations(),
+        }
+    }
+}
+
+/// The records of all methods at one level.
+fn records(
+    n: u64,
+    cells: Result<Vec<Result<Cell, MethodError>>, ReferenceError>,
+    methods: usize,
+) -> Vec<LevelRecord> {
+    match cells {
+        Ok(cells) => cells
+            .into_iter()
+            .map(|cell| match cell {
+                Ok(cell) => LevelRecord::of(n, &cell),
+                Err(error) => LevelRecord::refused(n, error.to_string()),
+            })
+            .collect(),
+        Err(error) => vec![LevelRecord::refused(n, error.to_string()); methods],
+    }
+}
+
+fn lock<T>(mutex: &Mutex<T>) -> MutexGuard<'_, T> {
+    // A thread that panics leaves what stands there whole.
+    mutex.lock().unwrap_or_else(PoisonError::into_inner)
+}

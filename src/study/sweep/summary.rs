@@ -1,0 +1,82 @@
+//! What the levels of a row tell together.
+
+use super::record::{Part, Row, State, Unit};
+use crate::convergence::{
+    Best, ErrorModel, Fit, FitError, Laws, Sample, Split, fit,
+};
+use crate::method::Expected;
+use rug::Float;
+use serde::Serialize;
+
+/// One method on one case in one format, all levels together.
+#[derive(Clone, Debug, Serialize)]
+pub struct Summary {
+    /// The order of the discretization error, with what theory expects.
+    pub discretization: Fit,
+    /// The order of the total error: what a user of the format sees, roundoff being its floor.
+    pub total: Fit,
+    /// How roundoff grows with n.
+    pub laws: Laws,
+    /// n*: from there on roundoff is larger than discretization.
+    pub crossing: Option<f64>,
+    /// The least error that the method can reach in the format.
+    pub best: Option<Best>,
+    /// The model behind n* and the least error.
+    #[serde(skip)]
+    pub model: ErrorModel,
+}
+
+/// The summary of a row of `unit`, on a ray of that length; `None` where no level has an error.
+///
+/// # Errors
+/// [`FitError`], which levels that ascend do not cause.
+pub fn summarize(unit: &Unit, row: &Row, length: f64) -> Result<Summary, FitError> {
+    let expected = Expected::from(row.expected);
+    let splits: Vec<(u64, Split)> = row
+        .levels
+        .iter()
+        .filter_map(|level| Some((level.n, level.split()?)))
+        .collect();
+    let discretization: Vec<Sample> = splits
+        .iter()
+        .map(|(n, split)| sample(*n, length, &split.discretization, &split.resolution))
+        .collect();
+    let discretization = fit(&discretization, Some(expected))?;
+    let unit_roundoff = Float::with_val(64, unit.radiance.abs_ref()) >> unit.bits;
+    let total: Vec<Sample> = row
+        .levels
+        .iter()
+        .filter(|level| !matches!(level.state, State::Refused(_)))
+        .filter_map(|level| {
+            let error = level.part(Part::Total)?;
+            // Where the error is not split, nothing is known of its floor but u·|I|.
+            let rounding = level.split().map(|split| split.rounding().abs());
+            let floor = rounding.filter(|r| *r > unit_roundoff).unwrap_or_else(|| unit_roundoff.clone());
+            Some(sample(level.n, length, error, &floor))
+        })
+        .collect();
+    let total = fit(&total, Some(expected))?;
+    let by_reference: Vec<(u64, &Split)> = splits.iter().map(|(n, split)| (*n, split)).collect();
+    let order = discretization.window.and(discretization.order).or(match expected {
+        Expected::Order(p) | Expected::Blind { here: p, .. } if p > 0.0 => Some(p),
+        _ => None,
+    });
+    let model = ErrorModel::new(&by_reference, unit.bits, order);
+    Ok(Summary {
+        discretization,
+        total,
+        laws: model.laws,
+        crossing: model.crossing(),
+        best: model.best(),
+        model,
+    })
+}
+
+fn sample(n: u64, length: f64, error: &Float, floor: &Float) -> Sample {
+    Sample {
+        n: Some(n),
+        step: length / n as f64,
+        error: error.clone(),
+        floor: floor.clone(),
+    }
+}
