@@ -33,8 +33,8 @@ mod bootstrap;
 mod decimal;
 mod fit;
 mod ladder;
-mod model;
 pub(crate) mod line;
+mod model;
 mod note;
 #[cfg(test)]
 mod random;
@@ -50,12 +50,12 @@ mod window;
 pub use decimal::Decimal;
 pub use fit::{FLOOR_MARGIN, Fit, FitError, FloorCut, Pair, fit};
 pub use ladder::{Ladder, LadderError, MAX_LEVELS, MAX_SEGMENTS};
+pub use model::{Best, ErrorModel, Laws, RoundoffLaw};
 pub use note::Note;
 pub use replicas::{
     LevelMoments, MIN_REPLICAS, OrderInterval, Replicas, ReplicasError, StochasticFit, fit_replicas,
 };
 pub use richardson::{DifferenceFit, RichardsonError, ValueSample, fit_differences};
-pub use model::{Best, ErrorModel, Laws, RoundoffLaw};
 pub use sample::{JSON_NUMBER_MIN, Sample, serialize_float};
 pub use split::{Cell, Oracle, Split};
 pub use transition::{Transition, TransitionError, transition};

@@ -156,9 +156,7 @@ impl<'a, N: Nodes> Level<'a, N> {
         self.opacity(method.opacity)?;
         let (colors, opacities) = (&self.colors, &self.opacities);
         match (colors.get(&method.color), opacities.get(&method.opacity)) {
-            (Some(colors), Some(segments)) => {
-                Ok(composite(self.nodes.format(), colors, segments))
-            }
+            (Some(colors), Some(segments)) => Ok(composite(self.nodes.format(), colors, segments)),
             _ => method.radiance(self.nodes, self.n),
         }
     }

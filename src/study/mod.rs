@@ -2,7 +2,7 @@
 
 pub mod nonsmooth;
 pub mod reproduce;
-pub mod sweep;
 mod run;
+pub mod sweep;
 
 pub use run::{Progress, Run, Silent, samples};

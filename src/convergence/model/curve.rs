@@ -29,7 +29,10 @@ impl Curve {
     /// log₂|e| at log₂ n; at the coarsest level and below, what it is there.
     pub(super) fn at(&self, log2_n: f64) -> f64 {
         let after = self.points.partition_point(|p| p.0 < log2_n);
-        match (after.checked_sub(1).map(|i| self.points[i]), self.points.get(after)) {
+        match (
+            after.checked_sub(1).map(|i| self.points[i]),
+            self.points.get(after),
+        ) {
             (Some(a), Some(b)) => a.1 + (b.1 - a.1) * (log2_n - a.0) / (b.0 - a.0),
             (Some(last), None) => last.1 - self.order * (log2_n - last.0),
             (None, Some(first)) => first.1,

@@ -7,8 +7,6 @@
 mod curve;
 mod law;
 
-
-
 pub use law::{MIN_LEVELS, RoundoffLaw};
 
 use super::Split;
@@ -71,7 +69,12 @@ impl ErrorModel {
         };
         let points = splits
             .iter()
-            .filter(|(_, split)| split.discretization.cmp_abs(&split.resolution).is_some_and(|o| o.is_gt()))
+            .filter(|(_, split)| {
+                split
+                    .discretization
+                    .cmp_abs(&split.resolution)
+                    .is_some_and(|o| o.is_gt())
+            })
             .map(|(n, split)| ((*n as f64).log2(), log2_abs(&split.discretization)))
             .collect();
         ErrorModel {
@@ -90,14 +93,19 @@ impl ErrorModel {
     /// log₂ of the discretization error at n = 2^`log2_n`; −∞ where there is none.
     #[must_use]
     pub fn log2_discretization(&self, log2_n: f64) -> f64 {
-        self.discretization.as_ref().map_or(f64::NEG_INFINITY, |curve| curve.at(log2_n))
+        self.discretization
+            .as_ref()
+            .map_or(f64::NEG_INFINITY, |curve| curve.at(log2_n))
     }
 
     /// log₂ of input and arithmetic rounding together with `bits` bits, as a root mean square.
     #[must_use]
     pub fn log2_rounding(&self, log2_n: f64, bits: f64) -> f64 {
         let laws = [self.laws.input, self.laws.arithmetic];
-        let parts = laws.into_iter().flatten().map(|law| law.log2_at(log2_n, bits));
+        let parts = laws
+            .into_iter()
+            .flatten()
+            .map(|law| law.log2_at(log2_n, bits));
         parts.fold(f64::NEG_INFINITY, log2_hypot)
     }
 
@@ -111,7 +119,9 @@ impl ErrorModel {
         if self.log2_rounding(self.first, bits) == f64::NEG_INFINITY {
             return None;
         }
-        let coarser = self.grid().take_while(|log2_n| *log2_n < MOST_LOG2_SEGMENTS);
+        let coarser = self
+            .grid()
+            .take_while(|log2_n| *log2_n < MOST_LOG2_SEGMENTS);
         let last = coarser.filter(|log2_n| discretizes(*log2_n)).last()?;
         (last + 1.0 / f64::from(STEPS) < MOST_LOG2_SEGMENTS).then(|| last.exp2())
     }
@@ -125,7 +135,10 @@ impl ErrorModel {
     fn best_with(&self, bits: f64) -> Option<Best> {
         let all = self.grid().map(|log2_n| Best {
             log2_n,
-            log2_error: log2_hypot(self.log2_discretization(log2_n), self.log2_rounding(log2_n, bits)),
+            log2_error: log2_hypot(
+                self.log2_discretization(log2_n),
+                self.log2_rounding(log2_n, bits),
+            ),
         });
         let finite = all.filter(|best| best.log2_error.is_finite());
         finite.min_by(|a, b| a.log2_error.total_cmp(&b.log2_error))
@@ -159,7 +172,10 @@ impl ErrorModel {
 
     /// log₂ n from the coarsest level up.
     fn grid(&self) -> impl Iterator<Item = f64> {
-        let first = self.discretization.as_ref().map_or(self.first, Curve::first);
+        let first = self
+            .discretization
+            .as_ref()
+            .map_or(self.first, Curve::first);
         let steps = f64::from(STEPS);
         (0_u32..)
             .map(move |i| first + f64::from(i) / steps)

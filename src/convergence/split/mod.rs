@@ -44,7 +44,5 @@ mod oracle;
 mod parts;
 mod ran;
 
-
-
 pub use cell::{Cell, Split};
 pub use oracle::Oracle;

@@ -2,7 +2,7 @@
 
 use super::Cell;
 use super::parts::{self, Followed, Inputs, Measured};
-use super::ran::{follow, may_stop, run, Stop};
+use super::ran::{Stop, follow, may_stop, run};
 use crate::case::{Case, Nodes, Number, Recorded, Shared};
 use crate::method::{Level, Method, MethodError};
 use crate::real::{Format, Mpfr, Real};
@@ -54,7 +54,9 @@ impl<'c, C: Case> Oracle<'c, C> {
         Oracle {
             case,
             methods: methods.to_vec(),
-            has_jumps: breaks.iter().any(|b| jumps(&b.extinction) || jumps(&b.source)),
+            has_jumps: breaks
+                .iter()
+                .any(|b| jumps(&b.extinction) || jumps(&b.source)),
             radiances: Mutex::default(),
             nodes: Mutex::default(),
             rows: Mutex::default(),
@@ -77,7 +79,11 @@ impl<'c, C: Case> Oracle<'c, C> {
     #[must_use]
     pub fn evaluations(&self) -> u64 {
         let nodes = lock(&self.nodes);
-        nodes.values().filter_map(|n| n.get()).map(Shared::evaluations).sum()
+        nodes
+            .values()
+            .filter_map(|n| n.get())
+            .map(Shared::evaluations)
+            .sum()
     }
 
     /// I to at least `bits` significant bits.
@@ -182,9 +188,8 @@ impl<'c, C: Case> Oracle<'c, C> {
                     parts::cell(measured, methods[i], i, &low, &high)
                 })
                 .collect();
-            let settled = |cell: &Result<Cell, MethodError>| {
-                !matches!(cell, Ok(Cell::Unsettled { .. }))
-            };
+            let settled =
+                |cell: &Result<Cell, MethodError>| !matches!(cell, Ok(Cell::Unsettled { .. }));
             if double >= MOST_BITS || cells.iter().all(settled) {
                 return Ok(Some(cells));
             }
@@ -250,7 +255,11 @@ impl<'c, C: Case> Oracle<'c, C> {
     fn total<N: Nodes>(&self, nodes: &N, n: u64, method: usize) -> Result<Float, ReferenceError> {
         let bits = first_bits(nodes.format().bits());
         let radiance = self.radiance(bits)?;
-        let ran = run(&mut Level::new(nodes, n), &self.methods[method], Stop::AsDeclared);
+        let ran = run(
+            &mut Level::new(nodes, n),
+            &self.methods[method],
+            Stop::AsDeclared,
+        );
         Ok(match ran {
             Ok(ran) => parts::difference(&ran.radiance.to_float(), &radiance, bits),
             Err(_) => Float::with_val(bits, rug::float::Special::Nan),
@@ -279,7 +288,10 @@ fn exact<N: Nodes<Format = Mpfr>>(
 /// The oracle's first precision for a format of `bits` bits: a power of two, so that formats share it.
 fn first_bits(bits: u32) -> u32 {
     let wanted = bits.saturating_add(GUARD_BITS);
-    wanted.max(LEAST_BITS).checked_next_power_of_two().unwrap_or(wanted)
+    wanted
+        .max(LEAST_BITS)
+        .checked_next_power_of_two()
+        .unwrap_or(wanted)
 }
 
 fn floats<N: Nodes>(row: &[Number<N>]) -> Vec<Float> {

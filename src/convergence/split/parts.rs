@@ -133,7 +133,10 @@ fn resolution(coarse: &Parts, fine: &Parts, low: &Inputs<'_>, high: &Inputs<'_>)
     let changes = coarse.parts.iter().zip(&fine.parts);
     changes
         .map(|(a, b)| difference(a, b, high.bits).abs() >> (high.bits - low.bits))
-        .fold(a_priori, |a, b| if b > a { Float::with_val(64, b) } else { a })
+        .fold(
+            a_priori,
+            |a, b| if b > a { Float::with_val(64, b) } else { a },
+        )
 }
 
 /// a − b, of more bits than either has.

@@ -4,7 +4,11 @@ use crate::case::{Nodes, Number};
 use crate::method::{Level, Method, MethodError};
 
 #[derive(Clone, Copy)]
-pub(super) enum Stop { AsDeclared, Never, After(u64) }
+pub(super) enum Stop {
+    AsDeclared,
+    Never,
+    After(u64),
+}
 
 /// What came out, and how far along the ray it went.
 #[derive(Clone, Debug)]

@@ -50,7 +50,8 @@ impl Estimate {
     #[must_use]
     pub fn work(sweep: &Sweep, format: FormatName, n: u64) -> u64 {
         let weight = 2 + u64::from(significant_bits(format)) / 32;
-        n.saturating_mul(sweep.methods.len() as u64).saturating_mul(weight)
+        n.saturating_mul(sweep.methods.len() as u64)
+            .saturating_mul(weight)
     }
 }
 

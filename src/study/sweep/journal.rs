@@ -39,7 +39,9 @@ pub enum JournalError {
         path: String,
     },
     /// The results belong to a study of something else.
-    #[error("{path} holds another study: its {what} are {found}, not {wanted} (allowed: the study it was begun with)")]
+    #[error(
+        "{path} holds another study: its {what} are {found}, not {wanted} (allowed: the study it was begun with)"
+    )]
     OtherStudy {
         /// The file.
         path: String,
@@ -68,11 +70,17 @@ impl Journal {
     /// # Errors
     /// [`JournalError::Exists`], [`JournalError::File`].
     pub fn begin(path: &Path, header: &Header) -> Result<Journal, JournalError> {
-        let opened = OpenOptions::new().read(true).append(true).create_new(true).open(path);
+        let opened = OpenOptions::new()
+            .read(true)
+            .append(true)
+            .create_new(true)
+            .open(path);
         let file = match opened {
             Ok(file) => file,
             Err(error) if error.kind() == io::ErrorKind::AlreadyExists => {
-                return Err(JournalError::Exists { path: path.display().to_string() });
+                return Err(JournalError::Exists {
+                    path: path.display().to_string(),
+                });
             }
             Err(error) => return Err(at(path)(error)),
         };
@@ -126,7 +134,9 @@ impl Journal {
     /// Whether that unit is finished.
     #[must_use]
     pub fn has(&self, case: &str, format: &str) -> bool {
-        self.units.iter().any(|unit| unit.case == case && unit.format == format)
+        self.units
+            .iter()
+            .any(|unit| unit.case == case && unit.format == format)
     }
 
     /// How many units are finished.
@@ -179,11 +189,7 @@ impl Journal {
 }
 
 /// The units of a journal, and how many of its bytes are whole lines.
-fn read(
-    path: &Path,
-    file: &mut File,
-    header: &Header,
-) -> Result<(Vec<Unit>, u64), JournalError> {
+fn read(path: &Path, file: &mut File, header: &Header) -> Result<(Vec<Unit>, u64), JournalError> {
     let mut reader = BufReader::new(file);
     let mut units: Vec<Unit> = Vec::new();
     let mut whole = 0;
@@ -196,7 +202,9 @@ fn read(
         }
         if number == 1 {
             let found = serde_json::from_slice(&bytes);
-            let found: Header = found.map_err(|_| JournalError::NoHeader { path: path.display().to_string() })?;
+            let found: Header = found.map_err(|_| JournalError::NoHeader {
+                path: path.display().to_string(),
+            })?;
             same(path, &found, header)?;
         } else {
             let wrong = |reason: String| JournalError::Line {
@@ -206,8 +214,14 @@ fn read(
             };
             let unit: Unit = serde_json::from_slice(&bytes).map_err(|e| wrong(e.to_string()))?;
             check(&unit, header).map_err(wrong)?;
-            if units.iter().any(|u| u.case == unit.case && u.format == unit.format) {
-                return Err(wrong(format!("{} in {} stands there twice", unit.case, unit.format)));
+            if units
+                .iter()
+                .any(|u| u.case == unit.case && u.format == unit.format)
+            {
+                return Err(wrong(format!(
+                    "{} in {} stands there twice",
+                    unit.case, unit.format
+                )));
             }
             units.push(unit);
         }
@@ -218,7 +232,9 @@ fn read(
 
 /// Whether a unit has the shape of this study.
 fn check(unit: &Unit, header: &Header) -> Result<(), String> {
-    let Unit { case, format, rows, .. } = unit;
+    let Unit {
+        case, format, rows, ..
+    } = unit;
     if !header.units().any(|(c, f)| c == case && f == format) {
         return Err(format!("{case} in {format} is no unit of this study"));
     }
@@ -226,7 +242,9 @@ fn check(unit: &Unit, header: &Header) -> Result<(), String> {
     if !methods.eq(&header.methods) {
         return Err("the methods are not those of this study".into());
     }
-    let complete = |levels: &[super::LevelRecord]| levels.iter().map(|l| l.n).eq(header.levels.iter().copied());
+    let complete = |levels: &[super::LevelRecord]| {
+        levels.iter().map(|l| l.n).eq(header.levels.iter().copied())
+    };
     if !rows.iter().all(|row| complete(&row.levels)) {
         return Err("the levels are not those of this study".into());
     }

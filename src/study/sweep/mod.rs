@@ -11,8 +11,6 @@ mod record;
 mod run;
 mod summary;
 
-
-
 pub use estimate::Estimate;
 pub use journal::{Journal, JournalError};
 pub use record::{Header, LevelRecord, Part, Row, State, Unit};

@@ -42,7 +42,9 @@ pub(super) mod optional {
             return Ok(None);
         };
         let number = parse(&text);
-        number.map(Some).ok_or_else(|| D::Error::custom("not a decimal number"))
+        number
+            .map(Some)
+            .ok_or_else(|| D::Error::custom("not a decimal number"))
     }
 }
 

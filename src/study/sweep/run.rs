@@ -115,7 +115,9 @@ pub fn run(
     };
     thread::scope(|scope| {
         let workers: Vec<_> = (0..threads).map(|_| scope.spawn(work)).collect();
-        let ended = workers.into_iter().map(|worker| worker.join().unwrap_or(Err(SweepError::Thread)));
+        let ended = workers
+            .into_iter()
+            .map(|worker| worker.join().unwrap_or(Err(SweepError::Thread)));
         // All are waited for, whichever failed.
         let ended: Vec<_> = ended.collect();
         ended.into_iter().collect::<Result<(), _>>()
@@ -158,7 +160,8 @@ impl WithFormat for OneUnit<'_, '_> {
         let nodes = Shared::new(case, format);
         let at = |&n: &u64| {
             let cells = self.oracle.split(&nodes, n);
-            self.progress.advance(Estimate::work(self.sweep, self.format, n));
+            self.progress
+                .advance(Estimate::work(self.sweep, self.format, n));
             records(n, cells, self.sweep.methods.len())
         };
         let levels: Vec<Vec<LevelRecord>> = if self.levels_in_parallel {
@@ -167,11 +170,16 @@ impl WithFormat for OneUnit<'_, '_> {
             self.sweep.levels.iter().map(at).collect()
         };
         let radiance = self.oracle.radiance(RADIANCE_BITS);
-        let rows = self.sweep.methods.iter().enumerate().map(|(m, method)| Row {
-            method: method.to_string(),
-            expected: expected_on(method, case, &self.sweep.levels).into(),
-            levels: levels.iter().map(|level| level[m].clone()).collect(),
-        });
+        let rows = self
+            .sweep
+            .methods
+            .iter()
+            .enumerate()
+            .map(|(m, method)| Row {
+                method: method.to_string(),
+                expected: expected_on(method, case, &self.sweep.levels).into(),
+                levels: levels.iter().map(|level| level[m].clone()).collect(),
+            });
         Unit {
             case: self.name.into(),
             format: self.format.to_string(),

@@ -1,9 +1,7 @@
 //! What the levels of a row tell together.
 
 use super::record::{Part, Row, State, Unit};
-use crate::convergence::{
-    Best, ErrorModel, Fit, FitError, Laws, Sample, Split, fit,
-};
+use crate::convergence::{Best, ErrorModel, Fit, FitError, Laws, Sample, Split, fit};
 use crate::method::Expected;
 use rug::Float;
 use serde::Serialize;
@@ -51,16 +49,21 @@ pub fn summarize(unit: &Unit, row: &Row, length: f64) -> Result<Summary, FitErro
             let error = level.part(Part::Total)?;
             // Where the error is not split, nothing is known of its floor but u·|I|.
             let rounding = level.split().map(|split| split.rounding().abs());
-            let floor = rounding.filter(|r| *r > unit_roundoff).unwrap_or_else(|| unit_roundoff.clone());
+            let floor = rounding
+                .filter(|r| *r > unit_roundoff)
+                .unwrap_or_else(|| unit_roundoff.clone());
             Some(sample(level.n, length, error, &floor))
         })
         .collect();
     let total = fit(&total, Some(expected))?;
     let by_reference: Vec<(u64, &Split)> = splits.iter().map(|(n, split)| (*n, split)).collect();
-    let order = discretization.window.and(discretization.order).or(match expected {
-        Expected::Order(p) | Expected::Blind { here: p, .. } if p > 0.0 => Some(p),
-        _ => None,
-    });
+    let order = discretization
+        .window
+        .and(discretization.order)
+        .or(match expected {
+            Expected::Order(p) | Expected::Blind { here: p, .. } if p > 0.0 => Some(p),
+            _ => None,
+        });
     let model = ErrorModel::new(&by_reference, unit.bits, order);
     Ok(Summary {
         discretization,
