@@ -68,6 +68,20 @@ pub trait Nodes: Sync {
     /// The n values at D·(j + offset)/n, j = 0 … n − 1; 0 ≤ offset ≤ 1.
     fn interior(&self, n: u64, offset: &Rational) -> Arc<Column<Number<Self>>>;
 
+    /// C and τ at the places of [`Nodes::interior`], one after the other: nothing is kept that `interior`
+    /// would not keep.
+    fn march_inside(
+        &self,
+        n: u64,
+        offset: Rational,
+    ) -> impl Iterator<Item = Transfer<Number<Self>>> {
+        let column = self.interior(n, &offset);
+        (0..column.extinction.len()).map(move |j| Transfer {
+            emission: column.emission[j].clone(),
+            extinction: column.extinction[j].clone(),
+        })
+    }
+
     /// The field one step beyond the far end, at D·(n + 1)/n.
     fn beyond(&self, n: u64) -> Number<Self>;
 

@@ -66,6 +66,12 @@ pub struct Along {
     /// A parabola through both ends and the middle of each segment certainly makes no error of order 4 in
     /// the source term, wherever it is: with w = d(C τ)/ds e^(−t) it makes d⁴/2880 ∫ (w s⁗ + 4 w′ s‴).
     pub parabolas_hide_source: bool,
+    /// C is certainly the same everywhere.
+    pub emission_is_constant: bool,
+    /// On a ray that is analytic throughout certainly C τ at the front, less C τ e^(−t) at the far end, is τ at the
+    /// front times the radiance: what one sample at an end of each segment errs by in the first order is
+    /// proportional to the difference.
+    pub end_samples_cancel: bool,
     /// Whether derivative k of C τ e^(−t) is certainly the same at both ends of a ray that is analytic
     /// throughout: by the Euler–Maclaurin formula a rule's error of order k + 1 is proportional to the
     /// difference.
@@ -121,6 +127,29 @@ impl Structure {
                 .transfer
                 .as_ref()
                 .is_some_and(|transfer| degree(&transfer.source) == 0)
+    }
+
+    /// Whether C is the same everywhere. `false` also where it is unknown.
+    #[must_use]
+    pub fn emission_is_constant(&self) -> bool {
+        let is_multiple = |transfer: &PolynomialTransfer| {
+            let PolynomialTransfer { extinction, source } = transfer;
+            let leading = degree(extinction);
+            let Some(top) = extinction.get(leading).filter(|top| **top != 0) else {
+                return false;
+            };
+            let zero = Rational::new();
+            let of = |k: usize| source.get(k).unwrap_or(&zero);
+            let terms = extinction.iter().enumerate();
+            degree(source) <= leading
+                && terms
+                    .into_iter()
+                    .all(|(k, c)| Rational::from(of(k) * top) == Rational::from(of(leading) * c))
+        };
+        self.field_degree == Some(0)
+            || self.along.emission_is_constant
+            || (self.extinction_degree() == Some(0) && self.source_is_constant())
+            || self.transfer.as_ref().is_some_and(is_multiple)
     }
 }
 

@@ -41,6 +41,7 @@ impl<'a, N: Nodes> Level<'a, N> {
     pub fn radiance(&mut self, method: &Method) -> Result<Number<N>, MethodError> {
         match method {
             Method::Nested(nested) => self.nested(nested),
+            Method::Composited(compositing) => compositing.radiance(self.nodes, self.n),
             Method::Preintegrated(preintegrated) => self.preintegrated(preintegrated),
         }
     }

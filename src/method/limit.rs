@@ -24,6 +24,10 @@ pub enum Part {
     NeglectedAttenuation,
     /// A fixed number of sub-intervals in each segment.
     SubIntervals,
+    /// C and τ taken to be constant in each segment, as compositing does.
+    ConstantSegments,
+    /// The optical depth of a segment in place of its opacity.
+    LinearOpacity,
     /// A place where τ is not analytic, under the rule for the optical depth or opacity.
     ExtinctionBreak,
     /// A place where C·τ or the transmittance is not analytic, under the rule for the radiance or color.
@@ -47,6 +51,10 @@ impl Part {
             Part::AttenuationInside => "interpolation error, integrated once more over a segment",
             Part::NeglectedAttenuation => "Etiene, Kirby and Silva (2013), equation 31",
             Part::SubIntervals => "order of the rule in d for a fixed number of sub-intervals",
+            Part::ConstantSegments => {
+                "expansion of a segment's error about its one sample; Compositing::limits"
+            }
+            Part::LinearOpacity => "τ²d²/2 left out in each of D/d segments",
             Part::ExtinctionBreak | Part::SourceBreak => {
                 "|λ − b|^α inside one segment leaves O(d^(1+α)); docs/nonsmooth.md"
             }
@@ -65,6 +73,8 @@ impl fmt::Display for Part {
             Part::AttenuationInside => "interpolated attenuation inside segments",
             Part::NeglectedAttenuation => "neglected attenuation inside segments",
             Part::SubIntervals => "sub-integration",
+            Part::ConstantSegments => "constant medium in each segment",
+            Part::LinearOpacity => "linear opacity",
             Part::ExtinctionBreak => "break of the extinction",
             Part::SourceBreak => "break of the source term",
         })

@@ -2,6 +2,7 @@
 
 mod attenuation;
 mod breaks;
+mod compositing;
 mod error;
 mod expected;
 mod exponential;
@@ -9,6 +10,7 @@ mod inner;
 mod level;
 mod limit;
 mod march;
+mod name;
 mod nested;
 mod outer;
 mod preintegrated;
@@ -16,12 +18,17 @@ mod preintegrated;
 mod tests;
 
 pub use attenuation::Attenuation;
+pub use compositing::{
+    Accumulation, Composite, Compositing, CompositingOrder, OpacityFormula, Position, Stop,
+    Summation, Threshold,
+};
 pub use error::MethodError;
 pub use expected::Expected;
 pub use exponential::{Exponential, Scope};
 pub use inner::{Filling, Inner, OpticalDepth};
 pub use level::Level;
 pub use limit::{Limit, Part};
+pub use name::MethodNameError;
 pub use nested::Nested;
 pub use outer::{Outer, Transmittances};
 pub use preintegrated::{
@@ -36,6 +43,8 @@ use std::fmt;
 pub enum Method {
     /// An inner rule under an outer rule.
     Nested(Nested),
+    /// One sample a segment, and the over operator.
+    Composited(Compositing),
     /// Segments integrated along an interpolated field.
     Preintegrated(Preintegrated),
 }
@@ -48,6 +57,7 @@ impl Method {
     pub fn radiance<N: Nodes>(&self, nodes: &N, n: u64) -> Result<Number<N>, MethodError> {
         match self {
             Method::Nested(nested) => nested.radiance(nodes, n),
+            Method::Composited(compositing) => compositing.radiance(nodes, n),
             Method::Preintegrated(preintegrated) => preintegrated.radiance(nodes, n),
         }
     }
@@ -64,6 +74,7 @@ impl Method {
                 let inner = nested.inner;
                 error::require_multiple(&inner, n, inner.segments_multiple())
             }
+            Method::Composited(compositing) => error::require_multiple(compositing, n, 1),
             Method::Preintegrated(preintegrated) => {
                 for interpolant in [
                     preintegrated.color.interpolant,
@@ -83,6 +94,7 @@ impl Method {
         let structure = case.structure();
         match self {
             Method::Nested(nested) => nested.limits(&structure),
+            Method::Composited(compositing) => compositing.limits(&structure),
             Method::Preintegrated(preintegrated) => preintegrated.limits(&structure),
         }
     }
@@ -94,6 +106,7 @@ impl Method {
         let structure = case.structure();
         match self {
             Method::Nested(nested) => nested.limits_on(&structure, ladder),
+            Method::Composited(compositing) => compositing.limits_on(&structure, ladder),
             Method::Preintegrated(preintegrated) => preintegrated.limits_on(&structure, ladder),
         }
     }
@@ -103,6 +116,7 @@ impl fmt::Display for Method {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
             Method::Nested(nested) => nested.fmt(f),
+            Method::Composited(compositing) => compositing.fmt(f),
             Method::Preintegrated(preintegrated) => preintegrated.fmt(f),
         }
     }

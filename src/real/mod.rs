@@ -11,6 +11,7 @@ mod ieee;
 mod mpfr;
 mod name;
 mod native;
+pub mod special;
 #[cfg(test)]
 mod tests;
 

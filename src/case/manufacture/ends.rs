@@ -1,4 +1,4 @@
-//! Which derivatives of C τ e^(−t) are the same at both ends of the ray.
+//! What cancels between both ends of the ray.
 
 use super::derive::Derived;
 use crate::case::END_DERIVATIVES;
@@ -40,6 +40,21 @@ pub(super) fn equal_derivatives(length: &Rational, derived: &Derived) -> [bool; 
         }
     }
     equal
+}
+
+/// Whether C τ at the front, less C τ e^(−t) at the far end, is certainly τ at the front times the radiance, for
+/// a medium that is analytic.
+pub(super) fn end_samples_cancel(length: &Rational, derived: &Derived) -> bool {
+    let far = Expr::number(length.clone());
+    let front = Expr::number(0);
+    let source = &derived.emission * &derived.extinction;
+    let attenuated =
+        source.substitute("lambda", &far) * (-derived.depth.substitute("lambda", &far)).exp();
+    let seen = derived.extinction.substitute("lambda", &front)
+        * derived.radiance.substitute("lambda", &far);
+    let difference = source.substitute("lambda", &front) - attenuated - seen;
+    let difference = expand(&difference).unwrap_or(difference);
+    difference.nodes().len() <= MAX_NODES && certainly_vanishes(&difference)
 }
 
 /// Whether a constant is defined, and 0.

@@ -35,6 +35,9 @@ pub(super) fn of(length: &Rational, derived: &Derived) -> Structure {
                 && vanishes(&source.differentiate("lambda")),
             source_is_zero: vanishes(&source),
             parabolas_hide_source: breaks.is_empty() && vanishes(&parabola_error(derived, &source)),
+            emission_is_constant: derived.emission.as_number().is_some()
+                || breaks.is_empty() && vanishes(&derived.emission.differentiate("lambda")),
+            end_samples_cancel: breaks.is_empty() && ends::end_samples_cancel(length, derived),
             equal_at_ends: if breaks.is_empty() {
                 ends::equal_derivatives(length, derived)
             } else {

@@ -116,6 +116,10 @@ impl<C: Case, F: Format> Nodes for Fresh<'_, C, F> {
         self.column(n, offset.clone(), n)
     }
 
+    fn march_inside(&self, n: u64, offset: Rational) -> impl Iterator<Item = Transfer<F::Real>> {
+        self.places(n, offset, n).map(|(_, transfer)| transfer)
+    }
+
     fn beyond(&self, n: u64) -> F::Real {
         self.count(1);
         let place = Rational::from(&self.length * (n + 1)) / n;

@@ -79,6 +79,14 @@ fn assert_places<N: Nodes<Format = Mpfr>>(nodes: &N, length: &Rational, n: u64, 
         let expected: Vec<_> = (0..n).map(|j| exact(j, &offset)).collect();
         assert_eq!(places, expected);
     }
+    for offset in [zero.clone(), (1, 2).into(), long_rational(), 1.into()] {
+        let column = nodes.interior(n, &offset);
+        assert_eq!(nodes.march_inside(n, offset.clone()).count() as u64, n);
+        for (j, transfer) in nodes.march_inside(n, offset.clone()).enumerate() {
+            assert_eq!(transfer.extinction, column.extinction[j]);
+            assert_eq!(transfer.emission, column.emission[j]);
+        }
+    }
     assert_eq!(nodes.beyond(n).to_rational().unwrap(), exact(n + 1, &zero));
     for (i, transfer) in nodes.march(n).enumerate() {
         assert_eq!(transfer.extinction, boundaries.extinction[i]);
@@ -138,6 +146,8 @@ fn fresh_nodes_count_every_look() {
     assert_eq!(counted(&|| drop(nodes.boundaries(8))), 9);
     assert_eq!(counted(&|| drop(nodes.interior(8, &(1, 3).into()))), 8);
     assert_eq!(counted(&|| assert_eq!(nodes.march(8).count(), 9)), 9);
+    let inside = || nodes.march_inside(8, (1, 2).into()).count();
+    assert_eq!(counted(&|| assert_eq!(inside(), 8)), 8);
     assert_eq!(counted(&|| assert!(nodes.beyond(8) > 0.0)), 1);
     assert_eq!(counted(&|| assert!(nodes.extinction_at(&0.5) > 0.0)), 1);
     assert_eq!(counted(&|| assert!(nodes.transfer(&0.5).emission > 0.0)), 1);

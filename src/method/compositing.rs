@@ -1,0 +1,226 @@
+//! Compositing: one sample a segment and the over operator, in the variants that renderers use.
+
+mod limits;
+mod opacity;
+mod order;
+mod position;
+mod summation;
+mod threshold;
+mod tree;
+
+pub use opacity::OpacityFormula;
+pub use order::{Accumulation, CompositingOrder};
+pub use position::Position;
+pub use summation::Summation;
+pub use threshold::Threshold;
+
+use super::MethodError;
+use super::error::require_multiple;
+use crate::case::{Nodes, Number, Transfer};
+use crate::real::Format;
+use order::FrontToBack;
+use rug::Rational;
+use std::fmt;
+use summation::Sum;
+
+/// Compositing: I ≈ Σⱼ Cⱼ αⱼ Tⱼ with Tⱼ = ∏_{k<j} (1 − αₖ), C and τ sampled once in each of n segments
+/// of length d and α the opacity of the optical depth τ d.
+///
+/// Variants of one position and one family of opacity (exact: all but [`OpacityFormula::Linear`]) are the
+/// same approximation in exact arithmetic and differ by rounding alone; so they have the same orders, which
+/// [`Compositing::limits`] states. Linear opacities under [`Accumulation::Depths`] stand apart: there
+/// Tⱼ = exp(−Σ τₖ d) all the same.
+///
+/// Termination at a [`Threshold`] leaves out at most the threshold times the largest C behind, whatever d:
+/// a truncation error, which is neither discretization nor rounding and no part of the order.
+///
+/// Source: Max (1995), equations 7 to 10; Levoy (1988); [`Position`] and [`OpacityFormula`] name theirs.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub struct Compositing {
+    /// Where in its segment a sample lies.
+    pub position: Position,
+    /// α of a segment's optical depth.
+    pub opacity: OpacityFormula,
+    /// In which order, and how, segments are composited.
+    pub order: CompositingOrder,
+}
+
+/// When a ray ends before its far end.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum Stop {
+    /// Where the method's own threshold says so; nowhere where it has none.
+    AsDeclared,
+    /// Nowhere, whatever the method's threshold.
+    Never,
+    /// After that many segments from the front, in whatever order these are composited.
+    After(u64),
+}
+
+/// A ray composited.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Composite<R> {
+    /// I.
+    pub radiance: R,
+    /// How many segments were composited, where these are not all.
+    pub stopped: Option<u64>,
+    /// T in front of each composited segment; empty where the order is not front to back.
+    pub transmittances: Vec<R>,
+}
+
+/// C and the optical depth τ d of one segment.
+struct Sample<R> {
+    emission: R,
+    depth: R,
+}
+
+impl Compositing {
+    /// The radiance on n segments, stopped as declared. Front to back with naive or compensated sums it takes constant memory
+    /// where `nodes` do.
+    ///
+    /// # Errors
+    /// [`MethodError::Segments`] where n is 0.
+    pub fn radiance<N: Nodes>(&self, nodes: &N, n: u64) -> Result<Number<N>, MethodError> {
+        let (radiance, _) = self.run(nodes, n, Stop::AsDeclared, |_| ())?;
+        Ok(radiance)
+    }
+
+    /// The radiance, with where it stopped and the transmittances on the way: bit for bit that of
+    /// [`Compositing::radiance`].
+    ///
+    /// # Errors
+    /// As [`Compositing::radiance`].
+    pub fn composite<N: Nodes>(
+        &self,
+        nodes: &N,
+        n: u64,
+        stop: Stop,
+    ) -> Result<Composite<Number<N>>, MethodError> {
+        let mut transmittances = Vec::new();
+        let record = |t: &Number<N>| transmittances.push(t.clone());
+        let (radiance, stopped) = self.run(nodes, n, stop, record)?;
+        Ok(Composite {
+            radiance,
+            stopped,
+            transmittances,
+        })
+    }
+
+    /// Σⱼ Cⱼ αⱼ Tⱼ with Tⱼ from outside, such as those of another format, over as many segments as there
+    /// are; `None` where the order is not front to back and no such transmittance comes in.
+    ///
+    /// Given this method's own, it is [`Compositing::composite`]'s radiance bit for bit.
+    ///
+    /// # Errors
+    /// As [`Compositing::radiance`].
+    pub fn radiance_under<N: Nodes>(
+        &self,
+        nodes: &N,
+        n: u64,
+        transmittances: &[Number<N>],
+    ) -> Option<Result<Number<N>, MethodError>> {
+        let CompositingOrder::FrontToBack { summation, .. } = self.order else {
+            return None;
+        };
+        let sum = self.samples(nodes, n).map(|samples| {
+            let mut sum = Sum::new(summation, nodes.format());
+            for (sample, transmittance) in samples.zip(transmittances) {
+                let alpha = self.opacity.of(&sample.depth);
+                sum.add(&(sample.emission * &alpha * transmittance));
+            }
+            sum.value()
+        });
+        Some(sum)
+    }
+
+    /// The radiance, and after how many segments it stopped; `record` is shown T in front of each.
+    fn run<N: Nodes>(
+        &self,
+        nodes: &N,
+        n: u64,
+        stop: Stop,
+        record: impl FnMut(&Number<N>),
+    ) -> Result<(Number<N>, Option<u64>), MethodError> {
+        let format = nodes.format();
+        let count = match stop {
+            Stop::After(count) => count.min(n),
+            Stop::AsDeclared | Stop::Never => n,
+        };
+        let samples = self.samples(nodes, n)?.take(length(count));
+        let (radiance, composited) = match self.order {
+            CompositingOrder::FrontToBack {
+                depth,
+                summation,
+                stop: declared,
+            } => {
+                let threshold = declared.filter(|_| stop == Stop::AsDeclared);
+                let order = FrontToBack {
+                    opacity: self.opacity,
+                    depth,
+                    summation,
+                    threshold: threshold.map(|threshold| format.ratio(&threshold.value())),
+                };
+                order.composite(format, samples, record)
+            }
+            CompositingOrder::BackToFront => {
+                let samples: Vec<_> = samples.collect();
+                (order::back_to_front(format, self.opacity, samples), count)
+            }
+            CompositingOrder::Tree => (order::by_tree(format, self.opacity, samples), count),
+        };
+        Ok((radiance, (composited < n).then_some(composited)))
+    }
+
+    /// The n samples, from front to back.
+    fn samples<'a, N: Nodes>(
+        &self,
+        nodes: &'a N,
+        n: u64,
+    ) -> Result<impl Iterator<Item = Sample<Number<N>>> + use<'a, N>, MethodError> {
+        require_multiple(self, n, 1)?;
+        let step = nodes.format().ratio(&(Rational::from(nodes.length()) / n));
+        let transfers = self.position.march(nodes, n);
+        Ok(transfers.map(move |transfer| Sample::new(transfer, &step)))
+    }
+}
+
+impl<R: crate::real::Real> Sample<R> {
+    #[inline]
+    fn new(transfer: Transfer<R>, step: &R) -> Self {
+        Sample {
+            emission: transfer.emission,
+            depth: transfer.extinction * step,
+        }
+    }
+}
+
+/// A number of segments as a length in memory.
+fn length(n: u64) -> usize {
+    usize::try_from(n).unwrap_or(usize::MAX)
+}
+
+/// As in [`Method::name`](super::Method::name): `front-to-back/middle/expm1`.
+impl fmt::Display for Compositing {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let Compositing {
+            position, opacity, ..
+        } = self;
+        match self.order {
+            CompositingOrder::FrontToBack {
+                depth,
+                summation,
+                stop,
+            } => {
+                write!(f, "front-to-back/{position}/{opacity}")?;
+                if depth != Accumulation::Transmittances {
+                    write!(f, "/{depth}")?;
+                }
+                if summation != Summation::Naive {
+                    write!(f, "/{summation}")?;
+                }
+                stop.map_or(Ok(()), |threshold| write!(f, "/stop={threshold}"))
+            }
+            CompositingOrder::BackToFront => write!(f, "back-to-front/{position}/{opacity}"),
+            CompositingOrder::Tree => write!(f, "tree/{position}/{opacity}"),
+        }
+    }
+}

@@ -1,0 +1,140 @@
+//! In which order segments are composited.
+
+use super::summation::Sum;
+use super::tree::Tree;
+use super::{OpacityFormula, Sample, Summation, Threshold};
+use crate::real::{Format, Real};
+use std::fmt;
+
+/// In which order segments are composited; the same number in exact arithmetic.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum CompositingOrder {
+    /// Σ Cⱼ αⱼ Tⱼ from the eye on.
+    FrontToBack {
+        /// Where Tⱼ comes from.
+        depth: Accumulation,
+        /// How the radiance's terms are summed, and the depths where these are.
+        summation: Summation,
+        /// Where the ray ends early.
+        stop: Option<Threshold>,
+    },
+    /// I ← C α + (1 − α) I from the far end on (Porter and Duff 1984: over). Keeps all samples.
+    BackToFront,
+    /// Pairs (I, T) of neighbouring stretches merged as (I₁ + T₁ I₂, T₁ T₂) in a balanced binary tree,
+    /// neighbours first: over is associative, which parallel renderers live by.
+    Tree,
+}
+
+/// Where the transmittance in front of a segment comes from.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum Accumulation {
+    /// T ← T (1 − α), with the very opacity that the segment shows.
+    Transmittances,
+    /// T = exp(−Σ τ d).
+    Depths,
+}
+
+/// Compositing from the eye on, ready to run in one format.
+pub(super) struct FrontToBack<R> {
+    pub(super) opacity: OpacityFormula,
+    pub(super) depth: Accumulation,
+    pub(super) summation: Summation,
+    pub(super) threshold: Option<R>,
+}
+
+impl<R: Real> FrontToBack<R> {
+    /// The radiance and the number of segments composited; `record` is shown T in front of each.
+    pub(super) fn composite(
+        &self,
+        format: R::Format,
+        samples: impl Iterator<Item = Sample<R>>,
+        mut record: impl FnMut(&R),
+    ) -> (R, u64) {
+        let one = format.int(1);
+        let mut radiance = Sum::new(self.summation, format);
+        let mut depth = Sum::new(self.summation, format);
+        let mut transmittance = one.clone();
+        let mut composited = 0;
+        for sample in samples {
+            let alpha = self.opacity.of(&sample.depth);
+            record(&transmittance);
+            radiance.add(&(sample.emission * &alpha * &transmittance));
+            composited += 1;
+            match self.depth {
+                Accumulation::Transmittances => transmittance *= &(one.clone() - &alpha),
+                Accumulation::Depths => {
+                    depth.add(&sample.depth);
+                    transmittance = (-depth.value()).exp();
+                }
+            }
+            if let Some(threshold) = &self.threshold
+                && transmittance < *threshold
+            {
+                break;
+            }
+        }
+        (radiance.value(), composited)
+    }
+}
+
+/// I ← C α + (1 − α) I over all samples, given from front to back.
+pub(super) fn back_to_front<R: Real>(
+    format: R::Format,
+    opacity: OpacityFormula,
+    samples: Vec<Sample<R>>,
+) -> R {
+    let one = format.int(1);
+    let mut radiance = format.int(0);
+    for sample in samples.into_iter().rev() {
+        let alpha = opacity.of(&sample.depth);
+        radiance *= &(one.clone() - &alpha);
+        radiance += &(sample.emission * &alpha);
+    }
+    radiance
+}
+
+/// The front of the balanced tree over all samples, given from front to back.
+pub(super) fn by_tree<R: Real>(
+    format: R::Format,
+    opacity: OpacityFormula,
+    samples: impl Iterator<Item = Sample<R>>,
+) -> R {
+    let one = format.int(1);
+    let mut tree = Tree::new();
+    for sample in samples {
+        let alpha = opacity.of(&sample.depth);
+        let stretch = Stretch {
+            radiance: sample.emission * &alpha,
+            transmittance: one.clone() - &alpha,
+        };
+        tree.push(stretch, Stretch::over);
+    }
+    let whole = tree.root(Stretch::over);
+    whole.map_or_else(|| format.int(0), |whole| whole.radiance)
+}
+
+/// A stretch of the ray: what it emits to its front, and what it lets through.
+#[derive(Clone)]
+struct Stretch<R> {
+    radiance: R,
+    transmittance: R,
+}
+
+impl<R: Real> Stretch<R> {
+    fn over(self, behind: Self) -> Self {
+        let through = behind.radiance * &self.transmittance;
+        Stretch {
+            radiance: self.radiance + &through,
+            transmittance: self.transmittance * &behind.transmittance,
+        }
+    }
+}
+
+impl fmt::Display for Accumulation {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.pad(match self {
+            Accumulation::Transmittances => "transmittances",
+            Accumulation::Depths => "depths",
+        })
+    }
+}

@@ -1,0 +1,188 @@
+//! Roundings that differ, against the same variant in MPFR.
+
+use super::{compositing, front_to_back};
+use rug::{Float, Rational};
+use std::sync::Arc;
+use volver::case::{
+    Column, Fresh, HomogeneousSlab, Nodes, Number, PolynomialTransfer, SineSquared, Transfer,
+};
+use volver::method::{Accumulation, Compositing, OpacityFormula, Position, Stop, Summation};
+use volver::real::{Format, Mpfr, Native};
+
+fn thin_slab(k: u32) -> HomogeneousSlab {
+    HomogeneousSlab {
+        length: (1, 1).into(),
+        extinction: (1, 37 + k).into(),
+        emission: (4, 5).into(),
+    }
+}
+
+fn in_binary32(method: Compositing, slab: &HomogeneousSlab, n: u64) -> f64 {
+    let nodes = Fresh::new(slab, Native::<f32>::new());
+    f64::from(method.radiance(&nodes, n).unwrap())
+}
+
+/// The variant's relative error in binary32 against the very same inputs in MPFR.
+fn rounding(method: Compositing, slab: &HomogeneousSlab, n: u64) -> f64 {
+    let rounded = |q: &Rational| Rational::from_f32(q.to_f32()).unwrap();
+    let inputs = HomogeneousSlab {
+        length: slab.length.clone(),
+        extinction: rounded(&slab.extinction),
+        emission: rounded(&slab.emission),
+    };
+    let nodes = Fresh::new(&inputs, Mpfr { bits: 200 });
+    let exact: Float = method.radiance(&nodes, n).unwrap().into();
+    (in_binary32(method, slab, n) / exact.to_f64() - 1.0).abs()
+}
+
+#[test]
+fn compensated_and_pairwise_sums_are_closer_over_a_million_segments() {
+    let n = 1 << 20;
+    let by = |summation| {
+        let order = front_to_back(Accumulation::Depths, summation);
+        compositing(Position::Front, OpacityFormula::Expm1, order)
+    };
+    for k in 0..4 {
+        let slab = thin_slab(k);
+        let [naive, pairwise, neumaier] =
+            [Summation::Naive, Summation::Pairwise, Summation::Neumaier]
+                .map(|summation| rounding(by(summation), &slab, n));
+        println!("slab {k}: naive {naive:e}, pairwise {pairwise:e}, neumaier {neumaier:e}");
+        // A unit of binary32 is 6e-8.
+        assert!(neumaier < 3e-7, "{k}: {neumaier:e}");
+        assert!(pairwise < 2e-6, "{k}: {pairwise:e}");
+        assert!(neumaier * 30.0 < naive, "{k}: {neumaier:e} {naive:e}");
+    }
+}
+
+/// Terms too small for the sum beside them, which compensation keeps; and the larger one behind.
+#[test]
+fn neumaier_keeps_what_either_summand_loses() {
+    // T given from outside makes the terms: x·T with x the same in all segments.
+    let slab = HomogeneousSlab {
+        length: 4.into(),
+        extinction: 1.into(),
+        emission: 1.into(),
+    };
+    let nodes = Fresh::new(&slab, Native::<f64>::new());
+    let sum = |summation| {
+        let order = front_to_back(Accumulation::Transmittances, summation);
+        let method = compositing(Position::Front, OpacityFormula::Linear, order);
+        let terms = [1.0, 1e100, 1.0, -1e100];
+        method.radiance_under(&nodes, 4, &terms).unwrap().unwrap()
+    };
+    assert_eq!(sum(Summation::Naive), 0.0);
+    assert_eq!(sum(Summation::Pairwise), 0.0);
+    // Kahan's own sum would be 0 as well.
+    assert_eq!(sum(Summation::Neumaier), 2.0);
+}
+
+#[test]
+fn a_compensated_sum_beyond_the_range_of_a_format_is_infinite() {
+    let slab = HomogeneousSlab {
+        length: 4.into(),
+        extinction: 60000.into(),
+        emission: 1.into(),
+    };
+    let nodes = Fresh::new(&slab, Native::<half::f16>::new());
+    let order = front_to_back(Accumulation::Depths, Summation::Neumaier);
+    let method = compositing(Position::Back, OpacityFormula::Expm1, order);
+    let whole = method.composite(&nodes, 4, Stop::Never).unwrap();
+    let one = half::f16::ONE;
+    assert_eq!(whole.radiance, one);
+    assert_eq!(whole.transmittances[1..], [half::f16::ZERO; 3]);
+}
+
+#[test]
+fn expm1_and_the_relative_opacity_beat_subtraction_in_thin_segments() {
+    // τ d = 2⁻²⁰·0.9…: where 1 − e^(−x) keeps 4 bits of 24.
+    for k in 0..20 {
+        let x = (0.9 + 0.01 * k as f32) * 2_f32.powi(-20);
+        let exact = -Float::with_val(200, -x).exp_m1();
+        let error =
+            |formula: OpacityFormula| (f64::from(formula.of(&x)) / exact.to_f64() - 1.0).abs();
+        assert!(error(OpacityFormula::Expm1) < 2e-7);
+        assert!(error(OpacityFormula::Relative) < 2e-7);
+        // The nearest multiple of 2⁻²⁴ is off by at least 1/1000 of 16 of them for all but lucky x.
+        println!("{k}: {:e}", error(OpacityFormula::Subtraction));
+    }
+    let slab = thin_slab(0);
+    // 2⁻²⁰ is about 1/37 of 2⁻¹⁵: 2¹⁵ segments of a depth of 1/37.
+    let by = |opacity| {
+        let order = front_to_back(Accumulation::Depths, Summation::Neumaier);
+        rounding(
+            compositing(Position::Middle, opacity, order),
+            &slab,
+            1 << 15,
+        )
+    };
+    let [subtraction, expm1, relative] = [
+        OpacityFormula::Subtraction,
+        OpacityFormula::Expm1,
+        OpacityFormula::Relative,
+    ]
+    .map(by);
+    println!("subtraction {subtraction:e}, expm1 {expm1:e}, relative {relative:e}");
+    assert!(expm1 < 3e-7 && relative < 3e-7, "{expm1:e} {relative:e}");
+    assert!(subtraction > 1e-3, "{subtraction:e}");
+}
+
+/// Nodes that keep no row of values.
+struct MarchOnly<'a, N>(&'a N);
+
+impl<N: Nodes> Nodes for MarchOnly<'_, N> {
+    type Format = N::Format;
+    fn format(&self) -> N::Format {
+        self.0.format()
+    }
+    fn length(&self) -> &Rational {
+        self.0.length()
+    }
+    fn boundaries(&self, _: u64) -> Arc<Column<Number<Self>>> {
+        panic!("a row of values")
+    }
+    fn march(&self, n: u64) -> impl Iterator<Item = Transfer<Number<Self>>> {
+        self.0.march(n)
+    }
+    fn march_inside(
+        &self,
+        n: u64,
+        offset: Rational,
+    ) -> impl Iterator<Item = Transfer<Number<Self>>> {
+        self.0.march_inside(n, offset)
+    }
+    fn interior(&self, _: u64, _: &Rational) -> Arc<Column<Number<Self>>> {
+        panic!("a row of values")
+    }
+    fn beyond(&self, n: u64) -> Number<Self> {
+        self.0.beyond(n)
+    }
+    fn extinction_at(&self, lambda: &Number<Self>) -> Number<Self> {
+        self.0.extinction_at(lambda)
+    }
+    fn transfer(&self, s: &Number<Self>) -> Transfer<Number<Self>> {
+        self.0.transfer(s)
+    }
+    fn polynomial_transfer(&self) -> Option<&PolynomialTransfer> {
+        self.0.polynomial_transfer()
+    }
+}
+
+#[test]
+fn sixteen_million_segments_in_one_pass() {
+    let fresh = Fresh::new(&SineSquared, Native::<f32>::new());
+    let nodes = MarchOnly(&fresh);
+    let exact = {
+        use volver::case::Case;
+        SineSquared.radiance(&1.0_f64)
+    };
+    for position in [Position::Front, Position::Middle, Position::Back] {
+        let order = front_to_back(Accumulation::Depths, Summation::Neumaier);
+        let method = compositing(position, OpacityFormula::Expm1, order);
+        let radiance = f64::from(method.radiance(&nodes, 1 << 24).unwrap());
+        assert!(
+            (radiance / exact - 1.0).abs() < 1e-5,
+            "{method}: {radiance} {exact}"
+        );
+    }
+}
