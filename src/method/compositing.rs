@@ -74,6 +74,15 @@ struct Sample<R> {
 }
 
 impl Compositing {
+    /// The transmittance at which a ray ends early, where it may.
+    #[must_use]
+    pub fn threshold(&self) -> Option<Threshold> {
+        match self.order {
+            CompositingOrder::FrontToBack { stop, .. } => stop,
+            CompositingOrder::BackToFront | CompositingOrder::Tree => None,
+        }
+    }
+
     /// The radiance on n segments, stopped as declared. Front to back with naive or compensated sums it takes constant memory
     /// where `nodes` do.
     ///

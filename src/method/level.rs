@@ -2,7 +2,7 @@
 
 use super::{
     Attenuation, Color, Exponential, Inner, Method, MethodError, Nested, Opacity, Preintegrated,
-    Scope, Transmittances, composite,
+    Scope, Stop, Transmittances, composite,
 };
 use crate::case::{Nodes, Number};
 use crate::real::Format;
@@ -68,6 +68,11 @@ impl<'a, N: Nodes> Level<'a, N> {
     ) -> Result<Transmittances<'_, Number<N>>, MethodError> {
         match method {
             Method::Nested(nested) => nested.outer.transmittances(self.attenuation(nested)?),
+            Method::Composited(compositing) => {
+                let composite = compositing.composite(self.nodes, self.n, Stop::AsDeclared)?;
+                let row = Some(composite.transmittances).filter(|row| !row.is_empty());
+                Ok(row.into_iter().map(Cow::Owned).collect())
+            }
             Method::Preintegrated(preintegrated) => {
                 let format = self.nodes.format();
                 let segments = self.opacity(preintegrated.opacity)?;
@@ -96,6 +101,11 @@ impl<'a, N: Nodes> Level<'a, N> {
             Method::Nested(nested) => {
                 let outer = nested.outer;
                 outer.radiance_under(self.nodes, self.n, transmittances)
+            }
+            Method::Composited(compositing) => {
+                let row = transmittances.first().map_or(&[][..], |row| row);
+                let under = compositing.radiance_under(self.nodes, self.n, row);
+                under.unwrap_or_else(|| compositing.radiance(self.nodes, self.n))
             }
             Method::Preintegrated(preintegrated) => {
                 let mut radiance = self.nodes.format().int(0);

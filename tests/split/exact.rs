@@ -52,7 +52,10 @@ pub(crate) fn radiance(
                     let square = Rational::from(q.square_ref()) / 2;
                     transmittance * (1 - q + square)
                 }
-                Attenuation::Exact => Float::with_val(BITS, -&depth).exp().to_rational().unwrap(),
+                Attenuation::Exact => (-Float::with_val(BITS, &depth))
+                    .exp()
+                    .to_rational()
+                    .unwrap(),
             };
         }
         let source = Rational::from(&medium.emission[i] * &medium.extinction[i]);

@@ -7,7 +7,7 @@ use serde::Serialize;
 use statrs::distribution::{ContinuousCDF, StudentsT};
 
 /// Fewest levels a law is fitted to.
-pub const MIN_LEVELS: usize = 4;
+const MIN_LEVELS: usize = 4;
 
 /// |e| ≈ c·u·n^q as a root mean square, u = 2^−bits.
 ///
@@ -27,7 +27,7 @@ pub struct RoundoffLaw {
 
 impl RoundoffLaw {
     /// Fits the law to signed errors at numbers of segments, in a format of `bits` bits; errors up to
-    /// `resolution` of their level are no data. `None` with fewer than [`MIN_LEVELS`] errors.
+    /// `resolution` of their level are no data. `None` with fewer than four errors.
     ///
     /// The exponent is that of a regression of logarithms; the constant is the root mean square of what is
     /// left, since the logarithm of a random error lies below that of its root mean square.

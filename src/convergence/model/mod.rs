@@ -7,7 +7,7 @@
 mod curve;
 mod law;
 
-pub use law::{MIN_LEVELS, RoundoffLaw};
+pub use law::RoundoffLaw;
 
 use super::Split;
 use super::sample::log2_abs;

@@ -2,9 +2,9 @@
 
 use super::Cell;
 use super::parts::{self, Followed, Inputs, Measured};
-use super::ran::{Stop, follow, may_stop, run};
+use super::ran::{follow, may_stop, run};
 use crate::case::{Case, Nodes, Number, Recorded, Shared};
-use crate::method::{Level, Method, MethodError};
+use crate::method::{Level, Method, MethodError, Stop};
 use crate::real::{Format, Mpfr, Real};
 use crate::reference::{self, ReferenceError};
 use rug::{Float, Rational};

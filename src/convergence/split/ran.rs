@@ -1,14 +1,7 @@
 //! A method run at a level, with the place where it stopped.
 
 use crate::case::{Nodes, Number};
-use crate::method::{Level, Method, MethodError};
-
-#[derive(Clone, Copy)]
-pub(super) enum Stop {
-    AsDeclared,
-    Never,
-    After(u64),
-}
+use crate::method::{Level, Method, MethodError, Stop};
 
 /// What came out, and how far along the ray it went.
 #[derive(Clone, Debug)]
@@ -20,7 +13,7 @@ pub(super) struct Ran<R> {
 
 /// Whether the method may stop before the end of the ray.
 pub(super) fn may_stop(method: &Method) -> bool {
-    false
+    matches!(method, Method::Composited(compositing) if compositing.threshold().is_some())
 }
 
 /// The method on `level`, stopped as asked.
@@ -29,6 +22,13 @@ pub(super) fn run<N: Nodes>(
     method: &Method,
     stop: Stop,
 ) -> Result<Ran<Number<N>>, MethodError> {
+    if let Method::Composited(compositing) = method {
+        let composite = compositing.composite(level.nodes(), level.segments(), stop)?;
+        return Ok(Ran {
+            radiance: composite.radiance,
+            stopped: composite.stopped,
+        });
+    }
     Ok(Ran {
         radiance: level.radiance(method)?,
         stopped: None,

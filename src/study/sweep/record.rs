@@ -2,7 +2,7 @@
 
 use super::{Sweep, number};
 use crate::convergence::{Cell, Split};
-use crate::method::Expected;
+use crate::method::{Expected, Method};
 use rug::Float;
 use serde::{Deserialize, Serialize};
 
@@ -39,7 +39,7 @@ impl Header {
         Header {
             volver: env!("CARGO_PKG_VERSION").into(),
             cases: cases.collect(),
-            methods: sweep.methods.iter().map(|m| m.to_string()).collect(),
+            methods: sweep.methods.iter().map(Method::name).collect(),
             formats: sweep.formats.iter().map(ToString::to_string).collect(),
             levels: sweep.levels.clone(),
         }

@@ -176,7 +176,7 @@ impl WithFormat for OneUnit<'_, '_> {
             .iter()
             .enumerate()
             .map(|(m, method)| Row {
-                method: method.to_string(),
+                method: method.name(),
                 expected: expected_on(method, case, &self.sweep.levels).into(),
                 levels: levels.iter().map(|level| level[m].clone()).collect(),
             });
