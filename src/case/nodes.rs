@@ -16,6 +16,7 @@ pub use shared::Shared;
 use super::{PolynomialTransfer, Transfer};
 use crate::real::Format;
 use rug::Rational;
+use std::fmt::Debug;
 use std::sync::Arc;
 
 /// Values at a row of nodes, one vector a quantity.
@@ -49,7 +50,7 @@ impl<R: Clone> Column<R> {
 ///
 /// Node positions are rational multiples of D, rounded once and never accumulated: the node i/n is the
 /// same number as the node 2i/2n, bit for bit, in every format.
-pub trait Nodes: Sync {
+pub trait Nodes: Debug + Sync {
     /// The format that everything is evaluated in.
     type Format: Format;
 

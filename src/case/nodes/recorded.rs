@@ -1,8 +1,10 @@
 //! What a run really used, kept to be used again.
 
-use super::{Column, Nodes, Number, Replayed};
-use crate::case::{PolynomialTransfer, Transfer};
-use rug::Rational;
+use super::replayed::{Exactly, Replayed};
+use super::{Column, Nodes, Number};
+use crate::case::{Case, PolynomialTransfer, Transfer};
+use crate::real::{Format, Real};
+use rug::{Float, Rational};
 use std::collections::BTreeSet;
 use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
 
@@ -16,31 +18,35 @@ pub struct Recorded<'a, N: Nodes> {
     log: Mutex<Log<Number<N>>>,
 }
 
-/// The inputs of a run.
-#[derive(Clone, Debug)]
-pub struct Recording<'a, N: Nodes> {
-    nodes: &'a N,
-    log: Arc<Log<Number<N>>>,
-}
-
-impl<'a, N: Nodes> Recording<'a, N> {
-    /// The inputs, exactly, for runs in MPFR with `bits` bits: at least as many as the recorded format has,
-    /// or they are rounded.
-    #[must_use]
-    pub fn replay(&self, bits: u32) -> Replayed<'a, N> {
-        Replayed::new(self.nodes, Arc::clone(&self.log), bits)
-    }
-}
-
 /// What was asked for.
-#[derive(Clone, Debug)]
-pub(super) struct Log<R> {
+#[derive(Debug)]
+struct Log<R> {
     /// By n and offset; boundaries have no offset.
-    pub(super) columns: BTreeSet<(u64, Option<Rational>)>,
-    /// λ and τ there.
-    pub(super) extinctions: Vec<(R, R)>,
-    /// s, C and τ.
-    pub(super) transfers: Vec<(R, Transfer<R>)>,
+    columns: BTreeSet<(u64, Option<Rational>)>,
+    /// λ, and τ there.
+    extinctions: Vec<(R, R)>,
+    /// s, and C and τ of it.
+    transfers: Vec<(R, Transfer<R>)>,
+}
+
+/// The inputs of a run, exactly.
+#[derive(Clone, Debug)]
+pub struct Recording<'a> {
+    pub(super) nodes: Arc<dyn Exactly + 'a>,
+    pub(super) columns: Arc<BTreeSet<(u64, Option<Rational>)>>,
+    /// τ, in the order in which it was asked for.
+    pub(super) extinctions: Arc<[Float]>,
+    /// C and τ.
+    pub(super) transfers: Arc<[Transfer<Float>]>,
+}
+
+impl<'a> Recording<'a> {
+    /// The inputs for runs in MPFR with `bits` bits: at least as many as the recorded format has, or they are
+    /// rounded.
+    #[must_use]
+    pub fn replay(&self, bits: u32) -> Replayed<'a> {
+        Replayed::new(self.clone(), bits)
+    }
 }
 
 impl<'a, N: Nodes> Recorded<'a, N> {
@@ -57,16 +63,80 @@ impl<'a, N: Nodes> Recorded<'a, N> {
     }
 
     /// What was recorded so far; what is asked for later is no part of it.
-    pub fn recording(&self) -> Recording<'a, N> {
+    pub fn recording(&self) -> Recording<'a> {
+        let log = self.log();
+        let extinctions = log.extinctions.iter().map(|(_, tau)| tau.to_float());
+        let transfers = log.transfers.iter().map(|(_, transfer)| Transfer {
+            emission: transfer.emission.to_float(),
+            extinction: transfer.extinction.to_float(),
+        });
         Recording {
-            nodes: self.nodes,
-            log: Arc::new(self.log().clone()),
+            nodes: Arc::new(Numbers(self.nodes)),
+            columns: Arc::new(log.columns.clone()),
+            extinctions: extinctions.collect(),
+            transfers: transfers.collect(),
         }
+    }
+
+    /// Whether the recorded run stood on the same side of every jump and kink of `case` as `replayed` does, at
+    /// every place and at every field value that was asked for there.
+    pub fn took_the_sides_of<C: Case>(&self, case: &C, replayed: &Replayed<'_>) -> bool {
+        let log = self.log();
+        let (here, there) = (self.nodes.format(), replayed.format());
+        let same_place = |part: Rational| {
+            let lambda = part * self.nodes.length();
+            case.branches(&here.ratio(&lambda)) == case.branches(&there.ratio(&lambda))
+        };
+        let columns = replayed.columns().iter().all(|(n, offset)| match offset {
+            None => (0..=*n).all(|i| same_place(Rational::from((i, *n)))),
+            Some(offset) => (0..*n).all(|j| same_place(Rational::from(offset + j) / *n)),
+        });
+        let (places, fields) = (replayed.places(), replayed.fields());
+        let mut extinctions = log.extinctions.iter().zip(places.iter());
+        let mut transfers = log.transfers.iter().zip(fields.iter());
+        columns
+            && extinctions.all(|((a, _), b)| case.branches(a) == case.branches(b))
+            && transfers.all(|((a, _), b)| case.transfer_branches(a) == case.transfer_branches(b))
     }
 
     fn log(&self) -> MutexGuard<'_, Log<Number<N>>> {
         // Records go in whole, so a poisoned log is still sound.
         self.log.lock().unwrap_or_else(PoisonError::into_inner)
+    }
+}
+
+/// Nodes of a format as numbers of MPFR: apart from it, no code of a replay depends on the format.
+#[derive(Debug)]
+struct Numbers<'a, N>(&'a N);
+
+impl<N: Nodes> Exactly for Numbers<'_, N> {
+    fn bits(&self) -> u32 {
+        self.0.format().bits()
+    }
+
+    fn length(&self) -> &Rational {
+        self.0.length()
+    }
+
+    fn column(&self, n: u64, offset: Option<&Rational>) -> Column<Float> {
+        let column = match offset {
+            None => self.0.boundaries(n),
+            Some(offset) => self.0.interior(n, offset),
+        };
+        let floats = |values: &[Number<N>]| values.iter().map(Real::to_float).collect();
+        Column {
+            field: floats(&column.field),
+            emission: floats(&column.emission),
+            extinction: floats(&column.extinction),
+        }
+    }
+
+    fn beyond(&self, n: u64) -> Float {
+        self.0.beyond(n).to_float()
+    }
+
+    fn polynomial_transfer(&self) -> Option<&PolynomialTransfer> {
+        self.0.polynomial_transfer()
     }
 }
 

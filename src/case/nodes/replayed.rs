@@ -1,12 +1,12 @@
 //! The inputs of another run, exactly.
 
-use super::recorded::Log;
-use super::{Column, Nodes, Number};
-use crate::case::{Case, PolynomialTransfer, Transfer};
-use crate::real::{Format, Mpfr, MpfrReal, Real};
+use super::{Column, Nodes, Recording};
+use crate::case::{PolynomialTransfer, Transfer};
+use crate::real::{Mpfr, MpfrReal};
 use rug::float::Special;
 use rug::{Float, Rational};
-use std::collections::HashMap;
+use std::collections::{BTreeSet, HashMap};
+use std::fmt::Debug;
 use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
 use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
 
@@ -14,35 +14,42 @@ use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
 /// product of two.
 const OFFSET_BITS: u32 = 60;
 
+/// Nodes of any format, their values as they are.
+pub(super) trait Exactly: Debug + Sync + Send {
+    fn bits(&self) -> u32;
+    fn length(&self) -> &Rational;
+    fn column(&self, n: u64, offset: Option<&Rational>) -> Column<Float>;
+    fn beyond(&self, n: u64) -> Float;
+    fn polynomial_transfer(&self) -> Option<&PolynomialTransfer>;
+}
+
 /// What a [`Recorded`](super::Recorded) run used, for the same methods in the same order in MPFR.
 ///
 /// The case is not evaluated: C, τ and s are those that the recorded run got, errors and all.
 #[derive(Debug)]
-pub struct Replayed<'a, N: Nodes> {
-    nodes: &'a N,
-    log: Arc<Log<Number<N>>>,
+pub struct Replayed<'a> {
+    recording: Recording<'a>,
     format: Mpfr,
     columns: Mutex<HashMap<(u64, Option<Rational>), Arc<Column<MpfrReal>>>>,
-    extinctions: AtomicUsize,
-    transfers: AtomicUsize,
     /// The same method in another format asked for what was not recorded.
     exhausted: AtomicBool,
+    extinctions: AtomicUsize,
+    transfers: AtomicUsize,
     /// λ where τ was asked for, and s where C and τ were: the recorded run may have stood on another side
     /// of a jump.
     places: Mutex<Vec<MpfrReal>>,
     fields: Mutex<Vec<MpfrReal>>,
 }
 
-impl<'a, N: Nodes> Replayed<'a, N> {
-    pub(super) fn new(nodes: &'a N, log: Arc<Log<Number<N>>>, bits: u32) -> Self {
+impl<'a> Replayed<'a> {
+    pub(super) fn new(recording: Recording<'a>, bits: u32) -> Self {
         Replayed {
-            nodes,
-            log,
+            recording,
             format: Mpfr { bits },
             columns: Mutex::default(),
+            exhausted: AtomicBool::new(false),
             extinctions: AtomicUsize::new(0),
             transfers: AtomicUsize::new(0),
-            exhausted: AtomicBool::new(false),
             places: Mutex::default(),
             fields: Mutex::default(),
         }
@@ -52,48 +59,30 @@ impl<'a, N: Nodes> Replayed<'a, N> {
     /// another way here.
     #[must_use]
     pub fn is_complete(&self) -> bool {
+        let asked = |count: &AtomicUsize| count.load(Ordering::Relaxed);
         !self.exhausted.load(Ordering::Relaxed)
-            && self.extinctions.load(Ordering::Relaxed) == self.log.extinctions.len()
-            && self.transfers.load(Ordering::Relaxed) == self.log.transfers.len()
+            && asked(&self.extinctions) == self.recording.extinctions.len()
+            && asked(&self.transfers) == self.recording.transfers.len()
     }
 
-    /// Whether the recorded run stood on the same side of every jump and kink of `case` as MPFR does, at
-    /// every place and at every field value that was asked for.
-    pub fn took_the_same_sides<C: Case>(&self, case: &C) -> bool {
-        let format = self.nodes.format();
-        let same_place = |part: Rational| {
-            let lambda = part * self.nodes.length();
-            case.branches(&format.ratio(&lambda)) == case.branches(&self.format.ratio(&lambda))
-        };
-        let columns = self.log.columns.iter().all(|(n, offset)| match offset {
-            None => (0..=*n).all(|i| same_place(Rational::from((i, *n)))),
-            Some(offset) => (0..*n).all(|j| same_place(Rational::from(offset + j) / *n)),
-        });
-        let places = kept(&self.places);
-        let mut extinctions = self.log.extinctions.iter().zip(places.iter());
-        let fields = kept(&self.fields);
-        let mut transfers = self.log.transfers.iter().zip(fields.iter());
-        columns
-            && extinctions
-                .all(|((recorded, _), here)| case.branches(recorded) == case.branches(here))
-            && transfers.all(|((recorded, _), here)| {
-                case.transfer_branches(recorded) == case.transfer_branches(here)
-            })
+    pub(super) fn columns(&self) -> &BTreeSet<(u64, Option<Rational>)> {
+        &self.recording.columns
     }
 
-    fn number(&self, x: &Number<N>) -> MpfrReal {
-        Float::with_val(self.format.bits, x.to_float()).into()
+    pub(super) fn places(&self) -> MutexGuard<'_, Vec<MpfrReal>> {
+        kept(&self.places)
     }
 
-    fn numbers(&self, values: &[Number<N>]) -> Vec<MpfrReal> {
+    pub(super) fn fields(&self) -> MutexGuard<'_, Vec<MpfrReal>> {
+        kept(&self.fields)
+    }
+
+    fn number(&self, x: &Float) -> MpfrReal {
+        Float::with_val(self.format.bits, x).into()
+    }
+
+    fn numbers(&self, values: &[Float]) -> Vec<MpfrReal> {
         values.iter().map(|x| self.number(x)).collect()
-    }
-
-    fn of_transfer(&self, transfer: &Transfer<Number<N>>) -> Transfer<MpfrReal> {
-        Transfer {
-            emission: self.number(&transfer.emission),
-            extinction: self.number(&transfer.extinction),
-        }
     }
 
     fn column(&self, n: u64, offset: Option<&Rational>) -> Arc<Column<MpfrReal>> {
@@ -102,10 +91,8 @@ impl<'a, N: Nodes> Replayed<'a, N> {
         if let Some(column) = columns.get(&key) {
             return Arc::clone(column);
         }
-        let recorded = match offset.map(|offset| self.recorded_offset(n, offset)) {
-            None => self.nodes.boundaries(n),
-            Some(offset) => self.nodes.interior(n, &offset),
-        };
+        let offset = offset.map(|offset| self.recorded_offset(n, offset));
+        let recorded = self.recording.nodes.column(n, offset.as_ref());
         let column = Arc::new(Column {
             field: self.numbers(&recorded.field),
             emission: self.numbers(&recorded.emission),
@@ -118,11 +105,11 @@ impl<'a, N: Nodes> Replayed<'a, N> {
     /// The recorded offset that `offset` stands for. An irrational one is known to 2^−(bits + 64) of the
     /// format that asks, so that two formats do not mean the very same rational.
     fn recorded_offset(&self, n: u64, offset: &Rational) -> Rational {
-        let of_level = self.log.columns.iter().filter(|(level, _)| *level == n);
+        let of_level = self.columns().iter().filter(|(level, _)| *level == n);
         let nearest = of_level
             .filter_map(|(_, recorded)| recorded.as_ref())
             .min_by_key(|recorded| Rational::from(*recorded - offset).abs());
-        let tolerance = Rational::from(1) >> (self.nodes.format().bits() + OFFSET_BITS);
+        let tolerance = Rational::from(1) >> (self.recording.nodes.bits() + OFFSET_BITS);
         match nearest {
             Some(recorded) if Rational::from(recorded - offset).abs() <= tolerance => {
                 recorded.clone()
@@ -146,7 +133,7 @@ fn kept<T>(mutex: &Mutex<T>) -> MutexGuard<'_, T> {
     mutex.lock().unwrap_or_else(PoisonError::into_inner)
 }
 
-impl<N: Nodes> Nodes for Replayed<'_, N> {
+impl Nodes for Replayed<'_> {
     type Format = Mpfr;
 
     fn format(&self) -> Mpfr {
@@ -154,7 +141,7 @@ impl<N: Nodes> Nodes for Replayed<'_, N> {
     }
 
     fn length(&self) -> &Rational {
-        self.nodes.length()
+        self.recording.nodes.length()
     }
 
     fn boundaries(&self, n: u64) -> Arc<Column<MpfrReal>> {
@@ -174,23 +161,26 @@ impl<N: Nodes> Nodes for Replayed<'_, N> {
     }
 
     fn beyond(&self, n: u64) -> MpfrReal {
-        self.number(&self.nodes.beyond(n))
+        self.number(&self.recording.nodes.beyond(n))
     }
 
     fn extinction_at(&self, lambda: &MpfrReal) -> MpfrReal {
         kept(&self.places).push(lambda.clone());
         let index = self.extinctions.fetch_add(1, Ordering::Relaxed);
-        match self.log.extinctions.get(index) {
-            Some((_, extinction)) => self.number(extinction),
+        match self.recording.extinctions.get(index) {
+            Some(extinction) => self.number(extinction),
             None => self.nothing(),
         }
     }
 
     fn transfer(&self, s: &MpfrReal) -> Transfer<MpfrReal> {
-        let index = self.transfers.fetch_add(1, Ordering::Relaxed);
         kept(&self.fields).push(s.clone());
-        match self.log.transfers.get(index) {
-            Some((_, transfer)) => self.of_transfer(transfer),
+        let index = self.transfers.fetch_add(1, Ordering::Relaxed);
+        match self.recording.transfers.get(index) {
+            Some(transfer) => Transfer {
+                emission: self.number(&transfer.emission),
+                extinction: self.number(&transfer.extinction),
+            },
             None => Transfer {
                 emission: self.nothing(),
                 extinction: self.nothing(),
@@ -199,6 +189,6 @@ impl<N: Nodes> Nodes for Replayed<'_, N> {
     }
 
     fn polynomial_transfer(&self) -> Option<&PolynomialTransfer> {
-        self.nodes.polynomial_transfer()
+        self.recording.nodes.polynomial_transfer()
     }
 }

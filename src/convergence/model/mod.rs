@@ -6,6 +6,8 @@
 
 mod curve;
 mod law;
+#[cfg(test)]
+mod tests;
 
 pub use law::RoundoffLaw;
 

@@ -3,9 +3,9 @@
 use super::Cell;
 use super::parts::{self, Followed, Inputs, Measured};
 use super::ran::{follow, may_stop, run};
-use crate::case::{Case, Nodes, Number, Recorded, Shared};
+use crate::case::{Case, Nodes, Number, Recorded, Replayed, Shared};
 use crate::method::{Level, Method, MethodError, Stop};
-use crate::real::{Format, Mpfr, Real};
+use crate::real::{Format, Mpfr, MpfrReal, Real};
 use crate::reference::{self, ReferenceError};
 use rug::{Float, Rational};
 use std::borrow::Cow;
@@ -158,7 +158,7 @@ impl<'c, C: Case> Oracle<'c, C> {
         let replayed = |bits| -> Option<Vec<Result<Followed, MethodError>>> {
             let inputs = recording.replay(bits);
             let followed = self.follow(&inputs, n, methods, &measured);
-            let same = !self.has_jumps || inputs.took_the_same_sides(self.case);
+            let same = !self.has_jumps || recorded.took_the_sides_of(self.case, &inputs);
             (inputs.is_complete() && same).then_some(followed)
         };
         let mut bits = first_bits(nodes.format().bits());
@@ -198,9 +198,9 @@ impl<'c, C: Case> Oracle<'c, C> {
     }
 
     /// The methods on the recorded inputs, stopped where the run stopped.
-    fn follow<N: Nodes<Format = Mpfr>>(
+    fn follow(
         &self,
-        inputs: &N,
+        inputs: &Replayed<'_>,
         n: u64,
         methods: &[usize],
         measured: &[Result<Measured, MethodError>],
@@ -220,7 +220,7 @@ impl<'c, C: Case> Oracle<'c, C> {
             .zip(radiances)
             .map(|((&m, measured), ran)| {
                 let measured = measured.as_ref().map_err(Clone::clone)?;
-                let rows: Vec<Cow<'_, [Number<N>]>> = measured
+                let rows: Vec<Cow<'_, [MpfrReal]>> = measured
                     .transmittances
                     .iter()
                     .map(|row| Cow::Owned(numbers(row, inputs.format())))
@@ -298,7 +298,7 @@ fn floats<N: Nodes>(row: &[Number<N>]) -> Vec<Float> {
     row.iter().map(Real::to_float).collect()
 }
 
-fn numbers(row: &[Float], format: Mpfr) -> Vec<crate::real::MpfrReal> {
+fn numbers(row: &[Float], format: Mpfr) -> Vec<MpfrReal> {
     row.iter()
         .map(|x| Float::with_val(format.bits, x).into())
         .collect()

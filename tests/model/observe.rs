@@ -1,0 +1,121 @@
+//! What really comes out, over blocks of neighbouring n: a single n is luck.
+
+use volver::case::{Case, Fresh, SymbolicCase};
+use volver::method::Method;
+use volver::real::{Format, Mpfr, Native, Real};
+
+/// Neighbours in a block [c/√2, c√2].
+const NEIGHBOURS: u64 = 24;
+/// Blocks looked at around a prediction, to both sides.
+const BLOCKS: i32 = 3;
+
+pub(crate) struct Observed {
+    /// The least root mean square of the total error.
+    pub(crate) best: f64,
+    /// Where the root mean square of roundoff overtakes that of discretization, if in reach.
+    pub(crate) crossing: Option<f64>,
+}
+
+/// Root mean squares over a block.
+struct Block {
+    center: f64,
+    total: f64,
+    discretization: f64,
+    rounding: f64,
+}
+
+/// Around the prediction, as far as the least error is not at the end of what was seen.
+pub(crate) fn observe<F: Format>(
+    case: &SymbolicCase,
+    method: &Method,
+    format: F,
+    log2_best: f64,
+) -> Option<Observed> {
+    let center = |k: i32| (log2_best + f64::from(k)).exp2();
+    let least = |k: i32| center(k) >= 5.0 && center(k) <= 1.5e6;
+    let mut blocks: Vec<Block> = Vec::new();
+    let (mut from, mut to) = (-BLOCKS, BLOCKS);
+    blocks.extend(
+        (from..=to)
+            .filter(|k| least(*k))
+            .filter_map(|k| block(case, method, format, center(k))),
+    );
+    loop {
+        let best =
+            (0..blocks.len()).min_by(|&a, &b| blocks[a].total.total_cmp(&blocks[b].total))?;
+        if best + 1 == blocks.len() && least(to + 1) {
+            to += 1;
+            blocks.extend(block(case, method, format, center(to)));
+        } else if best == 0 && least(from - 1) {
+            from -= 1;
+            match block(case, method, format, center(from)) {
+                Some(block) => blocks.insert(0, block),
+                None => break,
+            }
+        } else {
+            break;
+        }
+        if to - from > 30 {
+            break;
+        }
+    }
+    let best = blocks.iter().map(|b| b.total).fold(f64::INFINITY, f64::min);
+    // The last block where discretization leads, and the next: a straight line between their logarithms.
+    let last = blocks.iter().rposition(|b| b.discretization > b.rounding);
+    let crossing = last.and_then(|i| {
+        let (a, b) = (&blocks[i], blocks.get(i + 1)?);
+        let gap = |block: &Block| (block.discretization / block.rounding).log2();
+        let share = gap(a) / (gap(a) - gap(b));
+        Some((a.center.log2() + share * (b.center / a.center).log2()).exp2())
+    });
+    Some(Observed { best, crossing })
+}
+
+/// The block of neighbours around c that suit the method; `None` where there are none.
+fn block<F: Format>(case: &SymbolicCase, method: &Method, format: F, center: f64) -> Option<Block> {
+    let (low, high) = (center / 2_f64.sqrt(), center * 2_f64.sqrt());
+    let multiple = (1..=4).find(|m| method.check_segments(*m).is_ok())?;
+    let mut numbers: Vec<u64> = (0..NEIGHBOURS)
+        .map(|k| low + (high - low) * k as f64 / (NEIGHBOURS - 1) as f64)
+        .map(|n| ((n / multiple as f64).round() as u64).max(1) * multiple)
+        .collect();
+    numbers.dedup();
+    let wide = Mpfr { bits: 200 };
+    let radiance = case.radiance(&wide.ratio(&case.length()))?.to_float();
+    let mut squares = [0.0; 3];
+    let mut count = 0.0;
+    for n in numbers {
+        let here = method
+            .radiance(&Fresh::new(case, format), n)
+            .ok()?
+            .to_float();
+        // Of so many more bits that its own roundoff is none.
+        let limit = if format.bits() <= 24 {
+            method
+                .radiance(&Fresh::new(case, Native::<f64>::new()), n)
+                .ok()?
+                .to_float()
+        } else {
+            method
+                .radiance(&Fresh::new(case, Mpfr { bits: 100 }), n)
+                .ok()?
+                .to_float()
+        };
+        let parts = [
+            rug::Float::with_val(200, &here - &radiance),
+            rug::Float::with_val(200, &limit - &radiance),
+            rug::Float::with_val(200, &here - &limit),
+        ];
+        for (square, part) in squares.iter_mut().zip(parts) {
+            *square += part.to_f64().powi(2);
+        }
+        count += 1.0;
+    }
+    let [total, discretization, rounding] = squares.map(|square: f64| (square / count).sqrt());
+    total.is_finite().then_some(Block {
+        center,
+        total,
+        discretization,
+        rounding,
+    })
+}
