@@ -44,13 +44,13 @@ impl Fixed {
 
     /// Bits before the point.
     #[must_use]
-    pub const fn integer(self) -> u32 {
+    pub const fn integer_bits(self) -> u32 {
         self.integer
     }
 
     /// Bits after the point.
     #[must_use]
-    pub const fn fraction(self) -> u32 {
+    pub const fn fraction_bits(self) -> u32 {
         self.fraction
     }
 

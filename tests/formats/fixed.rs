@@ -18,12 +18,12 @@ const PLACES: [(u32, u32); 7] = [
 ];
 
 fn largest(format: Fixed) -> i64 {
-    (1 << (format.integer() + format.fraction())) - 1
+    (1 << (format.integer_bits() + format.fraction_bits())) - 1
 }
 
 /// The multiple of the quantum nearest to `exact`, ties to even, or the nearer end.
 fn by_definition(format: Fixed, exact: &Rational) -> i64 {
-    let quanta = Rational::from(exact << format.fraction());
+    let quanta = Rational::from(exact << format.fraction_bits());
     let (rest, below) = quanta.fract_floor(Integer::new());
     let half = Rational::from((1, 2));
     let up = rest > half || (rest == half && below.is_odd());
@@ -35,14 +35,14 @@ fn by_definition(format: Fixed, exact: &Rational) -> i64 {
 }
 
 fn quanta(format: Fixed, quanta: i64) -> FixedReal {
-    let x = format.ratio(&(Rational::from(quanta) >> format.fraction()));
+    let x = format.ratio(&(Rational::from(quanta) >> format.fraction_bits()));
     assert_eq!(x.quanta(), Some(quanta));
     x
 }
 
 /// Of any size that the format has.
 fn draw(format: Fixed, random: &mut Pcg64) -> FixedReal {
-    let bits = u64::from(format.integer() + format.fraction());
+    let bits = u64::from(format.integer_bits() + format.fraction_bits());
     let drop = 64 - bits + random.next_u64() % (bits + 1);
     let size = random.next_u64().checked_shr(u32::try_from(drop).unwrap());
     let size = i64::try_from(size.unwrap_or(0)).unwrap();
@@ -75,7 +75,7 @@ fn arithmetic_is_exact_arithmetic_rounded_once() {
                     "{x} {operation} {y} in {format}"
                 );
                 ends += u32::from(expected.abs() == largest(format));
-                let twice = Rational::from(&exact << (format.fraction() + 1));
+                let twice = Rational::from(&exact << (format.fraction_bits() + 1));
                 ties += u32::from(twice.is_integer() && twice.numer().is_odd());
             }
         }
@@ -128,7 +128,7 @@ fn constants_are_rounded_once() {
             assert_eq!(format.fraction(a, b).quanta(), expect(&q), "{q}");
             assert_eq!(format.ratio(&-q.clone()).quanta(), expect(&-q));
             // A tie, and a hair beside it.
-            let tie = Rational::from(2 * (a >> 20) + 1) >> (format.fraction() + 1);
+            let tie = Rational::from(2 * (a >> 20) + 1) >> (format.fraction_bits() + 1);
             let hair = Rational::from(1) >> 300_u32;
             for q in [tie.clone(), tie.clone() + &hair, tie - &hair] {
                 assert_eq!(format.ratio(&q).quanta(), expect(&q), "{q}");

@@ -148,14 +148,14 @@ struct Seen {
     overflowed: u32,
     nan: u32,
     zero: u32,
-    /// Among every sixteenth, where it is looked for.
+    /// Among five of every sixteen, where it is looked for.
     tie: u32,
     subnormal_tie: u32,
 }
 
 /// Whether a ± b or a × b lies in the middle between two numbers of the format. `result` is finite.
 fn is_tie(format: Ieee, operation: Operation, (a, b): (f64, f64), result: f64) -> Option<bool> {
-    let exact = Float::with_val(4400, a);
+    let exact = Float::with_val(2200, a);
     let exact = match operation {
         Add => exact + b,
         Subtract => exact - b,

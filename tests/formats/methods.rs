@@ -7,7 +7,8 @@ use rug::Rational;
 use volver::case::{Case, Fresh, HomogeneousSlab, Reciprocal, ReciprocalSquare, SineSquared};
 use volver::method::{Exponential, Inner, Method, Nested, Outer, Scope};
 use volver::quadrature::Rule;
-use volver::real::{Fixed, Format, Ieee, Mpfr, Native, NativeFloat, Real};
+use volver::real::{Fixed, Format, FormatName, Ieee, Mpfr, Native, NativeFloat, Real};
+use volver::symbolic::{Expr, KeptProgram, Program};
 
 fn nested(inner: Rule, outer: Rule, exponential: Exponential, scope: Scope) -> Method {
     Method::Nested(Nested {
@@ -74,22 +75,16 @@ fn same<T: NativeFloat>(format: Ieee, method: &Method, case: &impl Case, n: u64)
 
 #[test]
 fn polynomial_methods_equal_native_ones_bit_for_bit() {
-    equals_native::<f32>("ieee:24,-126,127".parse_ieee());
+    equals_native::<f32>(named("ieee:24,-126,127"));
     equals_native::<f64>(Ieee::BINARY64);
     equals_native::<f16>(Ieee::BINARY16);
     equals_native::<bf16>(Ieee::BFLOAT16);
 }
 
-trait ParseIeee {
-    fn parse_ieee(self) -> Ieee;
-}
-
-impl ParseIeee for &str {
-    fn parse_ieee(self) -> Ieee {
-        match self.parse().unwrap() {
-            volver::real::FormatName::Ieee(format) => format,
-            other => panic!("{other} is not emulated"),
-        }
+fn named(name: &str) -> Ieee {
+    match name.parse().unwrap() {
+        FormatName::Ieee(format) => format,
+        other => panic!("{other} is not emulated"),
     }
 }
 
@@ -112,7 +107,7 @@ fn replayed(n: u32, round: impl Fn(f64) -> f64) -> f64 {
             depth = round(depth + round(mean * step));
         }
         let weight = if i == 0 || i == n { 0.5 } else { 1.0 };
-        let transmittance = round((-depth as f64).exp());
+        let transmittance = round(f64::exp(-depth));
         let source = round(emission * extinction);
         sum = round(sum + round(round(source * transmittance) * weight));
         front = extinction;
@@ -123,7 +118,7 @@ fn replayed(n: u32, round: impl Fn(f64) -> f64) -> f64 {
 #[test]
 fn the_sine_squared_case_equals_a_replay_in_small_formats() {
     for name in ["tf32", "fp8-e5m2"] {
-        let format = name.parse_ieee();
+        let format = named(name);
         let round = |x| rounded(x, format.bits(), format.emin(), format.emax());
         for n in [4, 16, 64] {
             let ours = radiance(
@@ -168,4 +163,22 @@ fn fixed_point_is_within_eleven_quanta_of_the_method_itself() {
     assert!(error <= Rational::from((11, 1 << 15)), "{}", error.to_f64());
     // Nor is it right by being empty: I(1) = 2 − (sin 1 + 2) e^(−sin 1/2) ≈ 0.1343.
     assert!(ours.to_rational().unwrap() > Rational::from((1, 8)));
+}
+
+/// Formats of as many bits differ in range: one does not get the other's constants.
+#[test]
+fn constants_are_kept_by_format() {
+    let sum: Expr = "x + 100000".parse().unwrap();
+    let program = KeptProgram::new(Program::new(&[sum], &["x"]).unwrap());
+    for _ in 0..2 {
+        for (format, finite) in [(Ieee::BINARY16, false), (Ieee::TF32, true)] {
+            let sum = program.at(&format.int(1)).swap_remove(0);
+            assert_eq!(sum, format.int(100_000) + &format.int(1));
+            assert_eq!(sum.is_finite(), finite, "{format}");
+        }
+        for integer in [8, 16] {
+            let format = Fixed::new(integer, 15).unwrap();
+            assert_eq!(program.at(&format.int(1)), [format.int(100_001)]);
+        }
+    }
 }

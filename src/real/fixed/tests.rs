@@ -33,7 +33,7 @@ fn what_is_out_of_range_is_refused_with_what_is_allowed() {
 fn the_bits_are_those_after_the_point() {
     let format = Fixed::new(8, 24).unwrap();
     assert_eq!(
-        (format.bits(), format.integer(), format.fraction()),
+        (format.bits(), format.integer_bits(), format.fraction_bits()),
         (24, 8, 24)
     );
 }

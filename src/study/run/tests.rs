@@ -7,7 +7,7 @@ use crate::method::{
     Opacity, Outer, Preintegrated, Scope,
 };
 use crate::quadrature::Rule;
-use crate::real::{Format, Mpfr, Native};
+use crate::real::{Fixed, Format, Mpfr, Native};
 use rug::{Float, Rational};
 use std::sync::atomic::{AtomicU64, Ordering};
 
@@ -278,4 +278,16 @@ fn exact_values_are_held_in_full() {
         assert_eq!(radiance.prec(), held);
         assert_eq!(radiance, Float::with_val(held, 2).ln());
     }
+}
+
+/// Above 1 a fixed-point number has more significant bits than its format has after the point.
+#[test]
+fn the_value_of_a_fixed_point_number_is_kept_whole() {
+    let format = Fixed::new(16, 1).unwrap();
+    let x = format.fraction(12_345, 2);
+    assert_eq!(exact(&x), 6172.5);
+    assert!(exact(&(format.int(0) / &format.int(0))).is_nan());
+    assert_eq!(exact(&format.int(0)), 0);
+    // A power of 2 needs no more bits than its format has.
+    assert_eq!(exact(&Mpfr { bits: 9 }.int(1 << 40)).prec(), 9);
 }
