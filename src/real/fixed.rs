@@ -20,8 +20,8 @@ pub const MAX_FRACTION: u32 = 30;
 /// A fixed-point format: the multiples of the quantum q = 2^−fraction with |x| ≤ 2^integer − q, as the
 /// accumulators of renderers are.
 ///
-/// + − × ÷ √, elementary functions and constants are correctly rounded to the quantum, ties to even, error
-/// ≤ q/2. What lies beyond an end becomes that end, ±x/0 with x ≠ 0 and ln 0 included; invalid operations
+/// Arithmetic, roots, elementary functions and constants are correctly rounded to the quantum, ties to even,
+/// with an error of at most q/2. What lies beyond an end becomes that end, ±x/0 with x ≠ 0 and ln 0 included; invalid operations
 /// (0/0, √−1, ln −1) give the format's only NaN. There are no infinities, and 0 has no sign.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub struct Fixed {

@@ -105,11 +105,12 @@ fn elementary_functions_are_correctly_rounded() {
         let mut seen = Seen::default();
         let least = format.emin() - format.bits().cast_signed();
         for i in 0..count {
-            // Half of the arguments from everywhere, half where functions neither vanish nor overflow.
-            let (least, top) = if i % 2 == 0 {
-                (least, format.emax() + 1)
-            } else {
-                (-12, 5)
+            // From everywhere, from where functions neither vanish nor overflow, and from the subnormal
+            // numbers and their neighbours.
+            let (least, top) = match i % 3 {
+                0 => (least, format.emax() + 1),
+                1 => (-12, 5),
+                _ => (least, format.emin() + 3),
             };
             let x = format.ratio(&argument(&mut draw, least, top));
             check(format, &x, &mut seen);
@@ -138,7 +139,7 @@ fn elementary_functions_of_every_8_bit_number_are_correctly_rounded() {
         for special in [f64::INFINITY, f64::NEG_INFINITY, f64::NAN] {
             check(format, &number(format, special), &mut seen);
         }
-        assert!(seen.subnormal > 100 && seen.beyond > 100, "{seen:?}");
+        assert!(seen.subnormal > 50 && seen.beyond > 100, "{seen:?}");
     }
 }
 

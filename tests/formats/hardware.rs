@@ -97,16 +97,18 @@ impl Draw {
         i64::try_from(self.0.next_u64() % u64::try_from(bound).unwrap()).unwrap()
     }
 
-    /// Random sign and significand at a biased exponent; half of them with few bits, so that results are
+    /// Random sign and significand at a biased exponent; many of them with few bits, so that results are
     /// exact or ties.
     fn at<T: Hardware>(&mut self, exponent: i64) -> T {
         let trailing = T::FORMAT.bits() - 1;
         let all_ones = (1_i64 << T::EXPONENT) - 1;
         let exponent = u64::try_from(exponent.clamp(0, all_ones - 1)).unwrap();
         let mut significand = self.0.next_u64() >> (64 - trailing);
-        if self.below(2) == 0 {
-            significand &= !0 << self.below(i64::from(trailing) + 1);
-        }
+        significand &= match self.below(4) {
+            0 => !0,
+            1 => !0 << self.below(i64::from(trailing) + 1),
+            _ => !0 << (i64::from(trailing) - self.below(4.min(i64::from(trailing)))),
+        };
         let sign = self.0.next_u64() >> 63;
         T::from_bits((sign << T::EXPONENT | exponent) << trailing | significand)
     }
@@ -128,7 +130,8 @@ impl Draw {
             infinite - 2 + self.below(4)
         };
         let first = match operation {
-            Multiply | Divide => self.below(infinite),
+            Multiply | Divide if small => self.below(bias),
+            Multiply | Divide => bias + self.below(bias),
             _ if small => self.below(trailing + 4),
             _ => infinite - 1,
         };

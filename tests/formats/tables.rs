@@ -133,7 +133,7 @@ impl Codes {
             }
         }
         println!("{}: {subnormal} subnormal, {beyond} beyond", self.format);
-        assert!(subnormal > 10_000 && beyond > 10_000);
+        assert!(subnormal > 5000 && beyond > 20_000);
     }
 }
 
