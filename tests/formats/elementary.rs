@@ -81,7 +81,7 @@ fn argument(draw: &mut Pcg64, least: i32, top: i32) -> Rational {
     let span = u64::try_from(top - least).unwrap();
     let exponent = least + i32::try_from(draw.next_u64() % span).unwrap() + 1;
     let size = significand << exponent;
-    if draw.next_u64() % 2 == 0 {
+    if draw.next_u64().is_multiple_of(2) {
         size
     } else {
         -size

@@ -49,7 +49,7 @@ fn draw(format: Fixed, random: &mut Pcg64) -> FixedReal {
     // Half of them with few bits, so that products are ties.
     let sparse = random.next_u64() % 2 * (random.next_u64() % bits);
     let size = size >> sparse << sparse;
-    let negative = random.next_u64() % 2 == 0;
+    let negative = random.next_u64().is_multiple_of(2);
     quanta(format, if negative { -size } else { size })
 }
 
