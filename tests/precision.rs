@@ -153,6 +153,28 @@ fn preintegrated_methods_have_no_precision_of_their_own() {
 }
 
 #[test]
+fn composited_methods_have_no_precision_of_their_own() {
+    let mut methods: Vec<Method> = Vec::new();
+    for position in ["front", "middle", "back"] {
+        for opacity in ["subtraction", "expm1", "relative", "linear"] {
+            for (order, options) in [
+                ("front-to-back", ""),
+                ("front-to-back", "/pairwise"),
+                ("front-to-back", "/depths/neumaier"),
+                ("back-to-front", ""),
+                ("tree", ""),
+            ] {
+                let name = format!("{order}/{position}/{opacity}{options}");
+                methods.push(name.parse().unwrap());
+            }
+        }
+    }
+    more_bits_give_more_digits(&SineSquared, &methods);
+    more_bits_give_more_digits(&Reciprocal, &methods);
+    more_bits_give_more_digits(&slab(), &methods);
+}
+
+#[test]
 fn exact_solutions_have_no_precision_of_their_own() {
     fn check<C: Case>(case: &C) {
         let at = |bits| {

@@ -230,3 +230,18 @@ fn table_1_takes_a_fifth_of_the_evaluations_or_less() {
         "{shared} shared, {frugal} entry by entry"
     );
 }
+
+#[test]
+fn composited_methods_keep_every_bit() {
+    let methods: Vec<Method> = [
+        "front-to-back/front/expm1/stop=1:2",
+        "front-to-back/middle/subtraction/pairwise",
+        "front-to-back/back/relative/depths/neumaier",
+        "back-to-front/middle/linear",
+        "tree/back/expm1",
+    ]
+    .map(|name| name.parse().unwrap())
+    .into();
+    in_every_format(&SineSquared, &methods);
+    in_every_format(&Reciprocal, &methods);
+}

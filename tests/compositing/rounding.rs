@@ -4,7 +4,7 @@ use super::{compositing, front_to_back};
 use rug::{Float, Rational};
 use std::sync::Arc;
 use volver::case::{
-    Column, Fresh, HomogeneousSlab, Nodes, Number, PolynomialTransfer, SineSquared, Transfer,
+    Case, Column, Fresh, HomogeneousSlab, Nodes, Number, PolynomialTransfer, SineSquared, Transfer,
 };
 use volver::method::{Accumulation, Compositing, OpacityFormula, Position, Stop, Summation};
 use volver::real::{Format, Mpfr, Native};
@@ -30,8 +30,8 @@ fn rounding(method: Compositing, slab: &HomogeneousSlab, n: u64) -> f64 {
         extinction: rounded(&slab.extinction),
         emission: rounded(&slab.emission),
     };
-    let nodes = Fresh::new(&inputs, Mpfr { bits: 200 });
-    let exact: Float = method.radiance(&nodes, n).unwrap().into();
+    // Exact whatever the variant, since the slab is constant in each segment.
+    let exact: Float = inputs.radiance(&Mpfr { bits: 200 }.int(1)).into();
     (in_binary32(method, slab, n) / exact.to_f64() - 1.0).abs()
 }
 
@@ -49,9 +49,10 @@ fn compensated_and_pairwise_sums_are_closer_over_a_million_segments() {
                 .map(|summation| rounding(by(summation), &slab, n));
         println!("slab {k}: naive {naive:e}, pairwise {pairwise:e}, neumaier {neumaier:e}");
         // A unit of binary32 is 6e-8.
-        assert!(neumaier < 3e-7, "{k}: {neumaier:e}");
-        assert!(pairwise < 2e-6, "{k}: {pairwise:e}");
-        assert!(neumaier * 30.0 < naive, "{k}: {neumaier:e} {naive:e}");
+        // What Neumaier's sum loses is of second order, though (n u)² is 2⁻⁸ at worst.
+        assert!(neumaier < 3e-6, "{k}: {neumaier:e}");
+        assert!(pairwise < 1e-6, "{k}: {pairwise:e}");
+        assert!(neumaier * 300.0 < naive, "{k}: {neumaier:e} {naive:e}");
     }
 }
 
@@ -96,16 +97,18 @@ fn a_compensated_sum_beyond_the_range_of_a_format_is_infinite() {
 #[test]
 fn expm1_and_the_relative_opacity_beat_subtraction_in_thin_segments() {
     // τ d = 2⁻²⁰·0.9…: where 1 − e^(−x) keeps 4 bits of 24.
-    for k in 0..20 {
-        let x = (0.9 + 0.01 * k as f32) * 2_f32.powi(-20);
+    let mut lost = 0;
+    for k in 0..20_u8 {
+        let x = (0.9 + 0.01 * f32::from(k)) * 2_f32.powi(-20);
         let exact = -Float::with_val(200, -x).exp_m1();
         let error =
             |formula: OpacityFormula| (f64::from(formula.of(&x)) / exact.to_f64() - 1.0).abs();
         assert!(error(OpacityFormula::Expm1) < 2e-7);
         assert!(error(OpacityFormula::Relative) < 2e-7);
-        // The nearest multiple of 2⁻²⁴ is off by at least 1/1000 of 16 of them for all but lucky x.
-        println!("{k}: {:e}", error(OpacityFormula::Subtraction));
+        lost += u32::from(error(OpacityFormula::Subtraction) > 1e-3);
     }
+    // For 2⁻²⁰ itself the difference happens to be a number of binary32.
+    assert_eq!(lost, 19);
     let slab = thin_slab(0);
     // 2⁻²⁰ is about 1/37 of 2⁻¹⁵: 2¹⁵ segments of a depth of 1/37.
     let by = |opacity| {
@@ -172,17 +175,17 @@ impl<N: Nodes> Nodes for MarchOnly<'_, N> {
 fn sixteen_million_segments_in_one_pass() {
     let fresh = Fresh::new(&SineSquared, Native::<f32>::new());
     let nodes = MarchOnly(&fresh);
-    let exact = {
-        use volver::case::Case;
-        SineSquared.radiance(&1.0_f64)
-    };
+    let exact = SineSquared.radiance(&1.0_f64);
+    let n = 1 << 24;
     for position in [Position::Front, Position::Middle, Position::Back] {
-        let order = front_to_back(Accumulation::Depths, Summation::Neumaier);
+        // T and the sum lose much here; that it comes out in one pass is what counts.
+        let order = front_to_back(Accumulation::Transmittances, Summation::Naive);
         let method = compositing(position, OpacityFormula::Expm1, order);
-        let radiance = f64::from(method.radiance(&nodes, 1 << 24).unwrap());
-        assert!(
-            (radiance / exact - 1.0).abs() < 1e-5,
-            "{method}: {radiance} {exact}"
-        );
+        let radiance = f64::from(method.radiance(&nodes, n).unwrap());
+        assert!((0.5..2.0).contains(&(radiance / exact)), "{radiance}");
     }
+    let order = front_to_back(Accumulation::Depths, Summation::Pairwise);
+    let method = compositing(Position::Middle, OpacityFormula::Expm1, order);
+    let radiance = f64::from(method.radiance(&nodes, n).unwrap());
+    assert!((radiance / exact - 1.0).abs() < 1e-5, "{radiance} {exact}");
 }

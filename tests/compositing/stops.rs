@@ -23,7 +23,8 @@ fn by(order: CompositingOrder) -> volver::method::Compositing {
 
 #[test]
 fn a_ray_stops_where_the_transmittance_first_falls_below_the_threshold() {
-    let nodes = Fresh::new(&slab(), Native::<f64>::new());
+    let slab = slab();
+    let nodes = Fresh::new(&slab, Native::<f64>::new());
     for (numerator, denominator) in [(1, 255), (1, 2), (1, 10), (254, 255)] {
         let method = by(until(numerator, denominator));
         let whole = method.composite(&nodes, 32, Stop::AsDeclared).unwrap();
@@ -72,7 +73,8 @@ fn a_ray_stops_where_the_transmittance_first_falls_below_the_threshold() {
 
 #[test]
 fn any_order_composites_as_many_segments_as_it_is_told() {
-    let nodes = Fresh::new(&slab(), Native::<f64>::new());
+    let slab = slab();
+    let nodes = Fresh::new(&slab, Native::<f64>::new());
     let mut all = orders();
     // The count given counts, not the threshold.
     all.push(until(254, 255));
@@ -99,7 +101,8 @@ fn any_order_composites_as_many_segments_as_it_is_told() {
 
 #[test]
 fn no_segments_are_refused() {
-    let nodes = Fresh::new(&slab(), Native::<f64>::new());
+    let slab = slab();
+    let nodes = Fresh::new(&slab, Native::<f64>::new());
     for order in orders() {
         let method = by(order);
         let refused = Err(MethodError::Segments {

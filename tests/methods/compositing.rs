@@ -54,7 +54,8 @@ fn by_definition(offset: &Rational, n: u64, count: u64) -> Rational {
 
 #[test]
 fn every_order_is_the_definition_exactly() {
-    let nodes = Fresh::new(&ramp(), Exact);
+    let ramp = ramp();
+    let nodes = Fresh::new(&ramp, Exact);
     for (position, offset) in [
         (Position::Front, q(0, 1)),
         (Position::Middle, q(1, 2)),

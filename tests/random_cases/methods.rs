@@ -3,8 +3,9 @@
 use quickcheck::{Arbitrary, Gen};
 use volver::case::Case;
 use volver::method::{
-    Color, Exponential, Filling, Inner, Integration, Interpolant, LastSegment, Method, Nested,
-    Opacity, Outer, Preintegrated, Scope,
+    Accumulation, Color, Compositing, CompositingOrder, Exponential, Filling, Inner, Integration,
+    Interpolant, LastSegment, Method, Nested, Opacity, OpacityFormula, Outer, Position,
+    Preintegrated, Scope, Summation,
 };
 use volver::quadrature::Rule;
 
@@ -12,6 +13,7 @@ use volver::quadrature::Rule;
 #[derive(Clone, Debug)]
 pub(super) enum Choice {
     Nested(Nested),
+    Composited(Compositing),
     /// Its integrals are closed where the case allows that, otherwise by the rules given.
     Preintegrated {
         method: Preintegrated,
@@ -23,6 +25,7 @@ impl Choice {
     pub(super) fn method<C: Case>(&self, case: &C) -> Method {
         match self {
             Choice::Nested(nested) => Method::Nested(*nested),
+            Choice::Composited(compositing) => Method::Composited(*compositing),
             Choice::Preintegrated { method, closed } => {
                 let mut method = *method;
                 if *closed && case.structure().transfer.is_some() {
@@ -37,11 +40,15 @@ impl Choice {
 
 impl Arbitrary for Choice {
     fn arbitrary(g: &mut Gen) -> Choice {
-        if u8::arbitrary(g) % 4 == 0 {
-            return Choice::Preintegrated {
-                method: preintegrated(g),
-                closed: bool::arbitrary(g),
-            };
+        match u8::arbitrary(g) % 16 {
+            0..4 => {
+                return Choice::Preintegrated {
+                    method: preintegrated(g),
+                    closed: bool::arbitrary(g),
+                };
+            }
+            4..7 => return Choice::Composited(compositing(g)),
+            _ => {}
         }
         let exponentials = [
             Exponential::Exact,
@@ -114,6 +121,29 @@ fn outer(g: &mut Gen) -> Rule {
         Rule::GaussLegendre(3),
     ];
     of(g, &rules)
+}
+
+fn compositing(g: &mut Gen) -> Compositing {
+    let orders = [
+        CompositingOrder::BackToFront,
+        CompositingOrder::Tree,
+        CompositingOrder::FrontToBack {
+            depth: of(g, &[Accumulation::Transmittances, Accumulation::Depths]),
+            summation: Summation::Naive,
+            stop: None,
+        },
+    ];
+    let opacities = [
+        OpacityFormula::Subtraction,
+        OpacityFormula::Expm1,
+        OpacityFormula::Relative,
+        OpacityFormula::Linear,
+    ];
+    Compositing {
+        position: of(g, &[Position::Front, Position::Middle, Position::Back]),
+        opacity: of(g, &opacities),
+        order: of(g, &orders),
+    }
 }
 
 fn preintegrated(g: &mut Gen) -> Preintegrated {

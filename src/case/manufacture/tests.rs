@@ -77,6 +77,23 @@ fn what_hides_errors_is_seen() {
     assert_eq!(cloud.equal_at_ends[..4], [true, true, false, false]);
     let sine = along(catalogue::text("sine-squared").unwrap());
     assert_eq!(sine.equal_at_ends, [false; crate::case::END_DERIVATIVES]);
+    // τ is 0 at both ends of the cloud.
+    assert!(cloud.end_samples_cancel && !sine.end_samples_cancel);
+    // C τ is the same at both ends of a layer without extinction in front of it, but not what is seen of it.
+    let emission = |text: &str| {
+        along(&format!(
+            "name = \"a\"\nlength = 1\ndepth = \"lambda^2 + lambda\"\n{text}"
+        ))
+    };
+    let constant = emission("emission_of_depth = \"3/7\"");
+    assert!(constant.emission_is_constant && !constant.end_samples_cancel);
+    assert!(!emission("emission_of_depth = \"t + 1\"").emission_is_constant);
+    // τ = 1 + (1 − 2λ)²: C constant, and τ as large at the far end as in front.
+    let even = along(
+        "name = \"a\"\nlength = 1\ndepth = \"2*lambda - 2*lambda^2 + 4*lambda^3/3\"\n\
+         emission_of_depth = \"2\"",
+    );
+    assert!(even.emission_is_constant && even.end_samples_cancel);
     let decay = |factor: &str| {
         along(&format!(
             "name = \"a\"\nlength = 3\nfield = \"exp(-lambda)\"\ninverse = \"-ln(s)\"\n\

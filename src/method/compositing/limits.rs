@@ -18,13 +18,18 @@
 //! Linear opacities leave out τ² d²/2 of each segment: d/2 { ∫ S τ T − ∫ S T ∫₀^λ τ² } with the transmittance
 //! made of them, d/2 ∫ S τ T with that from depths; order 1 wherever the samples are.
 //!
+//! With samples at the front, linear opacities are nothing else than left Riemann sums for both integrals, and have
+//! their orders.
+//!
 //! A break of τ, or of C τ, inside a segment is met by the one sample as by the rule that it makes (see
-//! `docs/nonsmooth.md`): it leaves O(d^(1+α)).
+//! `docs/nonsmooth.md`): it leaves O(d^(1+α)). Where C is constant and τ breaks, errors of the depth on either
+//! side of the break may cancel at the far end, beyond which nothing is seen: the order is unknown.
 
-use super::{Compositing, OpacityFormula};
+use super::{Accumulation, Compositing, CompositingOrder, OpacityFormula, Position};
 use crate::case::{Break, Structure};
 use crate::method::breaks::Meeting;
 use crate::method::limit::{Limit, Part};
+use crate::method::{Exponential, Inner, Nested, Outer, Scope};
 
 impl Compositing {
     /// What limits the order on a case of that structure, breaks lying off the nodes. Termination limits
@@ -44,6 +49,12 @@ impl Compositing {
         if structure.source_is_zero() {
             return Vec::new();
         }
+        if let Some(nested) = self.as_nested() {
+            return match ladder {
+                Some(ladder) => nested.limits_on(structure, ladder),
+                None => nested.limits(structure),
+            };
+        }
         let mut limits = self.of_constant_segments(structure);
         if self.opacity == OpacityFormula::Linear {
             limits.push(Limit::new(Part::LinearOpacity, 1.0));
@@ -52,6 +63,27 @@ impl Compositing {
             limits.extend(self.of_break(place, ladder));
         }
         limits
+    }
+
+    /// The nested rules that are the same sums.
+    fn as_nested(&self) -> Option<Nested> {
+        if self.position != Position::Front || self.opacity != OpacityFormula::Linear {
+            return None;
+        }
+        let (exponential, scope) = match self.order {
+            CompositingOrder::FrontToBack {
+                depth: Accumulation::Depths,
+                ..
+            } => (Exponential::Exact, Scope::Whole),
+            _ => (Exponential::Linear, Scope::PerSegment),
+        };
+        let rule = self.position.rule();
+        Some(Nested {
+            inner: Inner::PerSegment(rule),
+            outer: Outer(rule),
+            exponential,
+            scope,
+        })
     }
 
     /// What the medium's replacement by one that is constant in each segment leaves.
@@ -63,6 +95,9 @@ impl Compositing {
             return Vec::new();
         }
         let part = Part::ConstantSegments;
+        if structure.emission_is_constant() && !structure.breaks.is_empty() {
+            return vec![Limit::unknown(part)];
+        }
         let order = f64::from(rule.order());
         let leading = Limit {
             vanishes: structure.along.end_samples_cancel && rule.order() == 1,
