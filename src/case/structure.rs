@@ -56,6 +56,8 @@ pub const END_DERIVATIVES: usize = 8;
 
 /// What is known of τ and C·τ along the ray. The default is to know nothing.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+// Facts that do not depend on each other.
+#[allow(clippy::struct_excessive_bools)]
 pub struct Along {
     /// The degree of τ in λ, where that is a polynomial.
     pub extinction_degree: Option<usize>,

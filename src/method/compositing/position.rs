@@ -39,8 +39,10 @@ impl Position {
                 March::Inside(nodes.march_inside(n, half))
             }
             // Ends of segments are boundaries, which neighbours and other methods share.
-            Position::Front => March::Boundaries(nodes.march(n).skip(0).take(length(n))),
-            Position::Back => March::Boundaries(nodes.march(n).skip(1).take(length(n))),
+            Position::Front | Position::Back => {
+                let first = usize::from(self == Position::Back);
+                March::Boundaries(nodes.march(n).skip(first).take(length(n)))
+            }
         }
     }
 }

@@ -63,13 +63,12 @@ impl<R: Real> Sum<R> {
     #[inline]
     pub(super) fn value(&self) -> R {
         match self {
-            Sum::Naive(sum) => sum.clone(),
             Sum::Pairwise { tree, zero } => tree
                 .root(|front, behind| front + &behind)
                 .unwrap_or_else(|| zero.clone()),
             // Beyond the range of the format there is nothing to compensate.
             Sum::Neumaier { sum, compensation } if sum.is_finite() => sum.clone() + compensation,
-            Sum::Neumaier { sum, .. } => sum.clone(),
+            Sum::Naive(sum) | Sum::Neumaier { sum, .. } => sum.clone(),
         }
     }
 }
