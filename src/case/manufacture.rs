@@ -84,7 +84,7 @@ fn one(
     let derived = derive::derive(description, channel)?;
     let checks = checks::all(description, &derived);
     checks::refuse(&checks)?;
-    let structure = structure::of(&description.length, &derived);
+    let (structure, places) = structure::of(&description.length, &derived);
     let name = match &channel.name {
         Some(channel) => format!("{}/{channel}", description.name),
         None => description.name.clone(),
@@ -98,7 +98,8 @@ fn one(
     };
     Ok(Manufactured {
         channel: channel.name.clone(),
-        case: SymbolicCase::new(&name, description.length.clone(), formulas, structure)?,
+        case: SymbolicCase::new(&name, description.length.clone(), formulas, structure)?
+            .with_break_places(places),
         extinction: derived.extinction,
         emission: derived.emission,
         checks,

@@ -22,6 +22,7 @@ pub use structure::{Along, Break, END_DERIVATIVES, PolynomialTransfer, Structure
 pub use symbolic::{Formulas, SymbolicCase};
 
 use crate::real::Real;
+use crate::symbolic::Interval;
 use rug::Rational;
 use std::fmt::Debug;
 
@@ -77,4 +78,14 @@ pub trait Case: Debug + Send + Sync {
 
     /// What is known of its smoothness and algebraic form.
     fn structure(&self) -> Structure;
+
+    /// Where along λ the breaks of its structure are, in their order, enclosed in about `bits` bits; `None`
+    /// where that is not known.
+    fn break_places(&self, bits: u32) -> Vec<Option<Interval>> {
+        let length = self.length();
+        let breaks = self.structure().breaks.into_iter();
+        breaks
+            .map(|b| Some(Interval::point(bits, &Rational::from(b.part? * &length))))
+            .collect()
+    }
 }

@@ -2,7 +2,7 @@
 
 use super::{Case, Structure, Transfer};
 use crate::real::Real;
-use crate::symbolic::{CompileError, Expr, KeptProgram, Program};
+use crate::symbolic::{CompileError, Expr, Interval, KeptProgram, Place, Program};
 use rug::Rational;
 use std::sync::Arc;
 
@@ -23,7 +23,11 @@ pub struct Formulas {
 
 /// A case made of expressions, compiled; cheap to clone.
 #[derive(Clone, Debug)]
-pub struct SymbolicCase(Arc<Inner>);
+pub struct SymbolicCase {
+    inner: Arc<Inner>,
+    /// Of the breaks of the structure, where they are known.
+    breaks: Arc<[Option<Place>]>,
+}
 
 #[derive(Debug)]
 struct Inner {
@@ -58,7 +62,12 @@ impl SymbolicCase {
             Some(formula) => compile(&[formula], "lambda").map(Some),
             None => Ok(None),
         };
-        Ok(SymbolicCase(Arc::new(Inner {
+        let breaks = structure.breaks.iter().map(|b| {
+            let part = b.part.as_ref()?;
+            Some(Place::rational(Rational::from(part * &length)))
+        });
+        let breaks = breaks.collect();
+        let inner = Arc::new(Inner {
             name: name.into(),
             length,
             field: compile(&[&formulas.field], "lambda")?,
@@ -68,13 +77,23 @@ impl SymbolicCase {
             radiance: closed_form(&formulas.radiance)?,
             formulas,
             structure,
-        })))
+        });
+        Ok(SymbolicCase { inner, breaks })
+    }
+
+    /// The case with the places of its structure's breaks, in their order, irrational ones too.
+    #[must_use]
+    pub(in crate::case) fn with_break_places(self, places: Vec<Option<Place>>) -> Self {
+        SymbolicCase {
+            breaks: places.into(),
+            ..self
+        }
     }
 
     /// Its formulas.
     #[must_use]
     pub fn formulas(&self) -> &Formulas {
-        &self.0.formulas
+        &self.inner.formulas
     }
 }
 
@@ -86,19 +105,19 @@ fn only<R: Real>(program: &KeptProgram, input: &R) -> R {
 
 impl Case for SymbolicCase {
     fn name(&self) -> &str {
-        &self.0.name
+        &self.inner.name
     }
 
     fn length(&self) -> Rational {
-        self.0.length.clone()
+        self.inner.length.clone()
     }
 
     fn field<R: Real>(&self, lambda: &R) -> R {
-        only(&self.0.field, lambda)
+        only(&self.inner.field, lambda)
     }
 
     fn transfer<R: Real>(&self, s: &R) -> Transfer<R> {
-        let mut values = self.0.transfer.at(s).into_iter();
+        let mut values = self.inner.transfer.at(s).into_iter();
         let mut next = || values.next().unwrap_or_else(|| s.clone());
         Transfer {
             emission: next(),
@@ -107,7 +126,7 @@ impl Case for SymbolicCase {
     }
 
     fn extinction<R: Real>(&self, s: &R) -> R {
-        only(&self.0.extinction, s)
+        only(&self.inner.extinction, s)
     }
 
     fn branches<R: Real>(&self, lambda: &R) -> Vec<bool> {
@@ -121,14 +140,24 @@ impl Case for SymbolicCase {
     }
 
     fn optical_depth<R: Real>(&self, lambda: &R) -> Option<R> {
-        Some(only(self.0.optical_depth.as_ref()?, lambda))
+        Some(only(self.inner.optical_depth.as_ref()?, lambda))
     }
 
     fn radiance<R: Real>(&self, lambda: &R) -> Option<R> {
-        Some(only(self.0.radiance.as_ref()?, lambda))
+        Some(only(self.inner.radiance.as_ref()?, lambda))
     }
 
     fn structure(&self) -> Structure {
-        self.0.structure.clone()
+        self.inner.structure.clone()
+    }
+
+    fn break_places(&self, bits: u32) -> Vec<Option<Interval>> {
+        let enclosed = |place: &Option<Place>| match place.as_ref()? {
+            place if place.as_rational().is_some() => {
+                Some(Interval::point(bits, place.as_rational()?))
+            }
+            place => place.exact.as_ref()?.enclose(bits, &|_| None).ok(),
+        };
+        self.breaks.iter().map(enclosed).collect()
     }
 }

@@ -1,8 +1,8 @@
 //! Closed forms, evaluated at two precisions: what differs is what rounding and cancellation do.
 
-use super::{GUARD_BITS, Reference, ReferenceError, Source};
+use super::{GUARD_BITS, Quantity, Reference, ReferenceError, Source, Work, believed_bits};
 use crate::case::Case;
-use crate::real::{Format, MAX_BITS, Mpfr, Real};
+use crate::real::{Format, MAX_BITS, Mpfr};
 use rug::Float;
 
 /// How often the precision is doubled where digits cancel.
@@ -10,11 +10,19 @@ const DOUBLINGS: u32 = 4;
 /// By how many bits rounding at one precision may be worse than at another.
 const MARGIN: u32 = 8;
 
-/// I(D) from the closed form, `None` where the case has none.
-pub(super) fn radiance<C: Case>(case: &C, bits: u32) -> Option<Result<Reference, ReferenceError>> {
+/// t(D) or I(D) from its closed form, `None` where the case has none.
+pub(super) fn evaluate<C: Case>(
+    case: &C,
+    quantity: Quantity,
+    bits: u32,
+) -> Option<Result<Reference, ReferenceError>> {
     let at = |bits: u32| -> Option<Float> {
-        let format = Mpfr { bits };
-        Some(case.radiance(&format.ratio(&case.length()))?.into())
+        let end = Mpfr { bits }.ratio(&case.length());
+        let value = match quantity {
+            Quantity::Depth => case.optical_depth(&end),
+            Quantity::Radiance => case.radiance(&end),
+        };
+        Some(value?.into())
     };
     let held = bits + GUARD_BITS;
     let mut precision = held;
@@ -33,7 +41,7 @@ pub(super) fn radiance<C: Case>(case: &C, bits: u32) -> Option<Result<Reference,
             }));
         }
         let error = Float::with_val(64, &coarse - &fine).abs();
-        believed = common_bits(&fine, &error);
+        believed = believed_bits(&fine, &error);
         if error.is_zero() || believed >= bits {
             // What cancels in the finer value is less by as many bits as it has more; then it is rounded.
             let unit = Float::with_val(64, fine.abs_ref()) >> held;
@@ -42,7 +50,7 @@ pub(super) fn radiance<C: Case>(case: &C, bits: u32) -> Option<Result<Reference,
                 value: Float::with_val(held, &fine),
                 error: if error > unit { error } else { unit },
                 source: Source::ClosedForm,
-                evaluations: 0,
+                work: Work::default(),
             }));
         }
         (precision, coarse) = (finer, fine);
@@ -52,18 +60,4 @@ pub(super) fn radiance<C: Case>(case: &C, bits: u32) -> Option<Result<Reference,
         precision,
         bits,
     }))
-}
-
-/// −log₂ of the relative error, at least 0.
-fn common_bits(value: &Float, error: &Float) -> u32 {
-    let log2 = |x: &Float| crate::real::MpfrReal::from(x.clone()).log2_abs();
-    let bits = (log2(value) - log2(error)).floor();
-    if bits >= f64::from(u32::MAX) {
-        u32::MAX
-    } else if bits > 0.0 {
-        // Between 0 and u32::MAX.
-        bits as u32
-    } else {
-        0
-    }
 }

@@ -4,13 +4,14 @@ use super::derive::Derived;
 use super::ends;
 use super::regularity::{at_near_end, where_pieces_meet};
 use crate::case::{Along, Break, END_DERIVATIVES, PolynomialTransfer, Structure};
-use crate::symbolic::{Expr, Kind, ZeroTest, expand, pieces, zero_test};
+use crate::symbolic::{Expr, Kind, Place, ZeroTest, expand, pieces, zero_test};
 use rug::Rational;
 
 /// The highest degree that counts as a polynomial.
 const MAX_DEGREE: usize = 64;
 
-pub(super) fn of(length: &Rational, derived: &Derived) -> Structure {
+/// The structure, and where its breaks are.
+pub(super) fn of(length: &Rational, derived: &Derived) -> (Structure, Vec<Option<Place>>) {
     let source = Expr::product([derived.emission.clone(), derived.extinction.clone()]);
     let extinction_of_field = coefficients(&derived.extinction_of_field, "s");
     let source_of_field = coefficients(
@@ -23,8 +24,11 @@ pub(super) fn of(length: &Rational, derived: &Derived) -> Structure {
     let degree = |expr: &Expr| coefficients(expr, "lambda").map(|c| c.len().saturating_sub(1));
     let ranges = [("lambda".to_string(), Rational::new(), length.clone())];
     let vanishes = |expr: &Expr| zero_test(expr, &ranges) == ZeroTest::Proved;
-    let breaks = breaks(length, &derived.extinction, &source);
-    Structure {
+    let (breaks, places): (Vec<Break>, Vec<Option<Place>>) =
+        breaks(length, &derived.extinction, &source)
+            .into_iter()
+            .unzip();
+    let structure = Structure {
         field_degree: degree(&derived.field),
         transfer: extinction_of_field
             .zip(source_of_field)
@@ -45,7 +49,8 @@ pub(super) fn of(length: &Rational, derived: &Derived) -> Structure {
             },
         },
         breaks,
-    }
+    };
+    (structure, places)
 }
 
 /// What [`Along::parabolas_hide_source`] is about, times (s′)² e^t, which leaves no quotient.
@@ -103,31 +108,34 @@ fn coefficients(expr: &Expr, symbol: &str) -> Option<Vec<Rational>> {
 }
 
 /// Where τ or C·τ is not analytic.
-fn breaks(length: &Rational, extinction: &Expr, source: &Expr) -> Vec<Break> {
+fn breaks(length: &Rational, extinction: &Expr, source: &Expr) -> Vec<(Break, Option<Place>)> {
     let both = [extinction.clone(), source.clone()];
     let Ok(pieces) = pieces(&both, "lambda", &Rational::new(), length) else {
         // Somewhere, nobody knows where or how.
-        return vec![Break {
+        let anything = Break {
             part: None,
             extinction: Some(Rational::new()),
             source: Some(Rational::new()),
-        }];
+        };
+        return vec![(anything, None)];
     };
     let mut breaks = Vec::new();
-    let mut add = |part, extinction: Option<Rational>, source: Option<Rational>| {
+    let mut add = |place: &Place, extinction: Option<Rational>, source: Option<Rational>| {
         if extinction.is_some() || source.is_some() {
-            breaks.push(Break {
+            let part = place.as_rational().map(|at| Rational::from(at / length));
+            let found = Break {
                 part,
                 extinction,
                 source,
-            });
+            };
+            breaks.push((found, Some(place.clone())));
         }
     };
     if let Some(first) = pieces.first()
         && let [extinction, source] = &first.exprs[..]
     {
         add(
-            Some(Rational::new()),
+            &first.from,
             at_near_end(first, extinction),
             at_near_end(first, source),
         );
@@ -135,9 +143,8 @@ fn breaks(length: &Rational, extinction: &Expr, source: &Expr) -> Vec<Break> {
     for pair in pieces.windows(2) {
         let [before, after] = pair else { continue };
         let place = &after.from;
-        let part = place.as_rational().map(|at| Rational::from(at / length));
         let power = |i: usize| where_pieces_meet(before.exprs.get(i)?, after.exprs.get(i)?, place);
-        add(part, power(0), power(1));
+        add(place, power(0), power(1));
     }
     breaks
 }

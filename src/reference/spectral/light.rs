@@ -1,0 +1,98 @@
+//! The light of a panel: ∫ C τ e^(−t).
+
+use super::super::chebyshev::{Circle, Series, log2_abs};
+use super::march::Resolved;
+use super::verdict::{Verdict, verdict};
+use super::{Settings, Work};
+use rug::Float;
+
+/// The light of a panel, with T = 1 at its left end.
+pub(super) struct Light {
+    pub(super) total: Float,
+    /// log₂ of the largest coefficient of C τ e^(−t).
+    pub(super) largest: f64,
+    /// log₂ of what is left out.
+    pub(super) tail: f64,
+}
+
+impl Light {
+    /// No light.
+    pub(super) fn none() -> Light {
+        Light {
+            total: Float::new(64),
+            largest: f64::NEG_INFINITY,
+            tail: f64::NEG_INFINITY,
+        }
+    }
+}
+
+/// The light; `None` where C τ e^(−t) is not resolved by as many coefficients as is reasonable.
+///
+/// The series of t and C·τ are evaluated at as many points as the product needs: the medium is not asked
+/// again, and no exponential taken twice.
+pub(super) fn light(
+    panel: &Resolved<'_>,
+    circle: &mut Circle,
+    settings: &Settings,
+    work: &mut Work,
+) -> Option<Light> {
+    let brightest = panel.source.log2_largest(0..=panel.source.degree());
+    if brightest == f64::NEG_INFINITY {
+        return Some(Light::none());
+    }
+    if brightest <= panel.allowance - 8.0 {
+        // Too dark to be seen from the near end.
+        return Some(Light {
+            tail: brightest,
+            ..Light::none()
+        });
+    }
+    let limit = 2 * settings.limit;
+    let mut n = panel.source.degree();
+    let mut transmittances: Vec<Float> = Vec::new();
+    loop {
+        circle.grow(n);
+        let depths = panel.depth.values(n, circle);
+        let old = std::mem::take(&mut transmittances);
+        let is_new = old.is_empty();
+        let mut old = old.into_iter();
+        for (k, depth) in depths.into_iter().enumerate() {
+            let known = if is_new || k % 2 == 1 {
+                None
+            } else {
+                old.next()
+            };
+            transmittances.push(known.unwrap_or_else(|| {
+                work.transcendental_calls += 1;
+                (-depth).exp()
+            }));
+        }
+        let source = if n == panel.source.degree() {
+            panel.values.to_vec()
+        } else {
+            panel.source.values(n, circle)
+        };
+        let seen: Vec<Float> = source
+            .into_iter()
+            .zip(&transmittances)
+            .map(|(c, t)| c * t)
+            .collect();
+        let series = Series::through(&seen, circle);
+        let largest = series.log2_largest(0..=n);
+        let floor = largest - f64::from(settings.precision) + 40.0;
+        match verdict(&series, panel.allowance.max(floor), limit) {
+            Verdict::Resolved { tail } => {
+                let total = series.integral(&panel.width).at_right();
+                // Where nothing is seen at all the sum is 0.
+                let is_dark = log2_abs(&total) == f64::NEG_INFINITY;
+                return Some(Light {
+                    total,
+                    largest: if is_dark { brightest } else { largest },
+                    tail,
+                });
+            }
+            Verdict::Open => n *= 2,
+            Verdict::Hopeless => return None,
+        }
+    }
+}

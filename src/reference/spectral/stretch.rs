@@ -1,0 +1,121 @@
+//! The ray between two breaks, and the medium sampled there.
+
+use super::super::ReferenceError;
+use super::super::counted::{Counted, counting};
+use super::Work;
+use crate::case::{Case, Structure};
+use crate::real::Real;
+use crate::symbolic::Interval;
+use rug::ops::Pow;
+use rug::{Float, Integer, Rational};
+
+/// Roots of a higher degree than this are left to grading.
+const MAX_ROOT: u32 = 12;
+
+/// A part of the ray inside of which the medium is analytic as far as is known, with λ = from + width·vᵖ, v in
+/// [0, 1]: p > 1 where τ or C·τ is a series of p-th roots at the left end, which are analytic in v.
+#[derive(Clone, Debug)]
+pub(super) struct Stretch {
+    from: Float,
+    width: Float,
+    power: u32,
+    /// Whether the left end is a break, whose value may belong to the other side.
+    pub(super) is_open_left: bool,
+    /// Whether the right end is.
+    pub(super) is_open_right: bool,
+}
+
+/// τ and C·τ times dλ/dv.
+pub(super) type Sample = (Float, Float);
+
+impl Stretch {
+    /// The stretches between the known breaks of a case.
+    pub(super) fn all<C: Case>(case: &C, bits: u32) -> Vec<Stretch> {
+        let length = Float::with_val(bits, case.length());
+        let structure = case.structure();
+        // What is not known well enough is left to grading.
+        let narrow = Float::with_val(bits, &length >> (bits - bits / 8));
+        let mut cuts: Vec<Float> = case
+            .break_places(bits)
+            .iter()
+            .flatten()
+            .filter(|place| place.is_finite() && place.width() <= narrow)
+            .map(Interval::midpoint)
+            .filter(|place| *place > narrow && Float::with_val(bits, &length - place) > narrow)
+            .collect();
+        cuts.sort_by(Float::total_cmp);
+        cuts.dedup_by(|b, a| Float::with_val(bits, &*b - &*a) <= narrow);
+        let mut ends = vec![Float::new(bits)];
+        ends.extend(cuts);
+        ends.push(length);
+        let last = ends.len() - 2;
+        let stretches = ends.windows(2).enumerate().filter_map(|(index, pair)| {
+            let [from, to] = pair else { return None };
+            Some(Stretch {
+                width: Float::with_val(bits, to - from),
+                from: from.clone(),
+                power: if index == 0 {
+                    root_at_near_end(&structure)
+                } else {
+                    1
+                },
+                is_open_left: index > 0,
+                is_open_right: index < last,
+            })
+        });
+        stretches.collect()
+    }
+
+    /// Evaluates the medium at v.
+    pub(super) fn sample<C: Case>(
+        &self,
+        case: &C,
+        v: &Float,
+        work: &mut Work,
+    ) -> Result<Sample, ReferenceError> {
+        let bits = self.from.prec();
+        let lambda = self.place(v);
+        let place = Counted::from(lambda);
+        let (transfer, calls) = counting(|| case.transfer(&case.field(&place)));
+        work.evaluations += 1;
+        work.transcendental_calls += calls;
+        if !transfer.extinction.is_finite() || !transfer.emission.is_finite() {
+            return Err(ReferenceError::MediumNotFinite {
+                lambda: Float::from(place).to_f64(),
+                extinction: Float::from(transfer.extinction).to_f64(),
+                emission: Float::from(transfer.emission).to_f64(),
+            });
+        }
+        let mut slope = Float::with_val(bits, &self.width * self.power);
+        if self.power > 1 {
+            slope *= Float::with_val(bits, v.pow(self.power - 1));
+        }
+        let mut extinction = Float::from(transfer.extinction);
+        extinction *= &slope;
+        let source = Float::with_val(bits, &extinction * &Float::from(transfer.emission));
+        Ok((extinction, source))
+    }
+
+    /// λ at v.
+    pub(super) fn place(&self, v: &Float) -> Float {
+        let bits = self.from.prec();
+        let mut place = if self.power > 1 {
+            Float::with_val(bits, v.pow(self.power))
+        } else {
+            v.clone()
+        };
+        place *= &self.width;
+        place + &self.from
+    }
+}
+
+/// The p of p-th roots that the structure states at λ = 0; 1 for none.
+fn root_at_near_end(structure: &Structure) -> u32 {
+    let near = structure.breaks.iter();
+    let near = near.filter(|b| b.part.as_ref().is_some_and(|part| *part == 0));
+    let powers = near.flat_map(|b| b.extinction.iter().chain(&b.source));
+    let root = powers
+        .map(Rational::denom)
+        .fold(Integer::from(1), |root, denominator| root.lcm(denominator));
+    root.to_u32().filter(|root| *root <= MAX_ROOT).unwrap_or(1)
+}
