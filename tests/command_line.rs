@@ -76,6 +76,14 @@ fn bad_usage_is_named_in_one_line() {
             "'--json -' and '--latex' both go to standard output (allowed: --json with a file)",
         ),
         (
+            &["reference", "vacuum", "--digits", "0"],
+            "invalid value '0' for '--digits <N>': no number of digits (allowed: 1 to 10000)",
+        ),
+        (
+            &["reference", "vacuum", "--digits", "10001"],
+            "invalid value '10001' for '--digits <N>': no number of digits (allowed: 1 to 10000)",
+        ),
+        (
             &["completions", "cmd"],
             "invalid value 'cmd' for '<SHELL>' (allowed: bash, elvish, fish, powershell, zsh)",
         ),
@@ -152,6 +160,7 @@ fn the_examples_of_the_help_run() {
         (&["fit", "--help"], 4),
         (&["cases", "--help"], 4),
         (&["manufacture", "--help"], 4),
+        (&["reference", "--help"], 4),
     ] {
         let output = volver(help, "").output().unwrap();
         assert_eq!(output.status.code(), Some(0));

@@ -20,12 +20,23 @@ fn probe() {
     let digits: u32 = std::env::var("DIGITS").map_or(50, |d| d.parse().unwrap());
     let bits = (f64::from(digits) * 3.33) as u32 + 1;
     let s = |t: &str| t.parse().unwrap();
-    let formulas = Formulas { field: s("lambda"), extinction: s("2+sin(10*s^2)"), emission: s("exp(-s^2)"), optical_depth: None, radiance: None };
+    let formulas = Formulas {
+        field: s("lambda"),
+        extinction: s("2+sin(10*s^2)"),
+        emission: s("exp(-s^2)"),
+        optical_depth: None,
+        radiance: None,
+    };
     let goal = SymbolicCase::new("goal", 1.into(), formulas, Structure::default()).unwrap();
     for d in [50, 100, 500, 1000] {
         let start = Instant::now();
         let found = spectral_radiance(&goal, d * 333 / 100 + 1).unwrap();
-        println!("goal {d}: {:?} {:?} {:?}", start.elapsed(), found.digits(), found.work);
+        println!(
+            "goal {d}: {:?} {:?} {:?}",
+            start.elapsed(),
+            found.digits(),
+            found.work
+        );
     }
     for made in of_catalogue() {
         let case = &made.case;
@@ -38,8 +49,11 @@ fn probe() {
                 println!(
                     "{} {}: {:?} {:?} error/est {:.2e} {:?}",
                     if honest { "ok " } else { "BAD" },
-                    case.name(), start.elapsed(), found.digits(),
-                    Float::with_val(64, &error / &found.error).to_f64(), found.work
+                    case.name(),
+                    start.elapsed(),
+                    found.digits(),
+                    Float::with_val(64, &error / &found.error).to_f64(),
+                    found.work
                 );
             }
             Err(error) => println!("ERR {}: {:?} {error}", case.name(), start.elapsed()),

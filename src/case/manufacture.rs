@@ -3,7 +3,7 @@
 //! With t and I given, τ = t′ and C = I′/(τ e^(−t)) make I the exact radiance. Or, with t and a polynomial
 //! P ≥ 0 given, C = P(t) and I = P̃(0) − P̃(t) e^(−t), P̃ = P + P′ + P″ + …, since
 //! (−P̃(t) e^(−t))′ = (P̃ − P̃′)(t) t′ e^(−t) = P(t) τ e^(−t); this cannot fail. Or everything is given, and
-//! t′ = τ and I′ = C τ e^(−t) are claims.
+//! t′ = τ and I′ = C τ e^(−t) are claims. A medium alone, τ and C, is a case without a closed form.
 //!
 //! Whatever the way, the same statements are tested of the result, so that it does not matter whether
 //! the derivation has a mistake: see [`Statement`]. What they rest on is the zero test and interval
@@ -44,13 +44,21 @@ pub struct Manufactured {
 }
 
 impl Manufactured {
-    /// Whether the closed form is proved: every statement but those on signs.
+    /// Whether t and I have a closed form, proved or not.
+    #[must_use]
+    pub fn has_closed_form(&self) -> bool {
+        let formulas = self.case.formulas();
+        formulas.optical_depth.is_some() && formulas.radiance.is_some()
+    }
+
+    /// Whether there is a closed form and it is proved: every statement but those on signs. The radiance of a
+    /// medium without one is known by reference only.
     #[must_use]
     pub fn is_proved(&self) -> bool {
-        self.checks
-            .iter()
-            .filter(|check| check.statement.is_of_closed_form())
-            .all(|check| check.outcome == Outcome::Proved)
+        let mut needed = self.checks.iter();
+        let is_proved = |check: &Check| check.outcome == Outcome::Proved;
+        self.has_closed_form()
+            && needed.all(|check| is_proved(check) || !check.statement.is_of_closed_form())
     }
 
     /// Whether every statement is proved, τ ≥ 0 and C ≥ 0 with them, as a renderer has a right to expect.
@@ -93,8 +101,8 @@ fn one(
         field: derived.field,
         extinction: derived.extinction_of_field,
         emission: derived.emission_of_field,
-        optical_depth: Some(derived.depth),
-        radiance: Some(derived.radiance),
+        optical_depth: derived.depth,
+        radiance: derived.radiance,
     };
     Ok(Manufactured {
         channel: channel.name.clone(),

@@ -6,6 +6,7 @@ mod completions;
 mod failure;
 mod fit;
 mod manufacture;
+mod reference;
 mod reproduce;
 mod terminal;
 
@@ -24,6 +25,7 @@ Examples:
   printf '0.4 8e-2\\n0.2 2e-2\\n0.1 5e-3\\n0.05 1.25e-3\\n' | volver fit -
   volver cases sine-squared
   volver manufacture rgb-transfer --code python
+  volver reference sine-squared --digits 100
   volver completions bash";
 
 /// Verifies approximations of the volume rendering integral.
@@ -41,6 +43,7 @@ pub(crate) enum Command {
     Fit(fit::Fit),
     Cases(cases::Cases),
     Manufacture(manufacture::Manufacture),
+    Reference(reference::ReferenceValue),
     Completions(completions::Completions),
 }
 
@@ -52,6 +55,7 @@ impl Command {
             Command::Fit(arguments) => arguments.run(),
             Command::Cases(arguments) => arguments.run(),
             Command::Manufacture(arguments) => arguments.run(),
+            Command::Reference(arguments) => arguments.run(),
             Command::Completions(arguments) => arguments.run(),
         }
     }

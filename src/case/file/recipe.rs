@@ -12,11 +12,14 @@ pub enum Recipe {
     EmissionOfDepth,
     /// Extinction and emission with the depth and the radiance that have to be proved.
     Claimed,
+    /// Extinction and emission alone: nothing is claimed of the depth and the radiance.
+    Medium,
 }
 
 /// The keys of all recipes, for messages.
 pub(super) const ALLOWED: &str = "depth and radiance, or depth and emission_of_depth, both with field and \
-     inverse or neither; or depth, radiance, extinction and emission, with or without field";
+     inverse or neither; or depth, radiance, extinction and emission, with or without field; or extinction \
+     and emission alone, with or without field";
 
 impl Recipe {
     /// The keys that it needs, of the case and of each channel.
@@ -25,6 +28,7 @@ impl Recipe {
             Recipe::DepthAndRadiance => (&["depth"], &["radiance"]),
             Recipe::EmissionOfDepth => (&["depth"], &["emission_of_depth"]),
             Recipe::Claimed => (&["extinction", "depth"], &["emission", "radiance"]),
+            Recipe::Medium => (&["extinction"], &["emission"]),
         }
     }
 }
@@ -32,10 +36,12 @@ impl Recipe {
 /// The recipe of a file whose channels are the tables `channels`.
 pub(super) fn recipe<'f>(top: &Table<'f>, channels: &[Table<'f>]) -> Result<Recipe, FileError> {
     let find = |key: &str| channels.iter().find_map(|table| table.entry(key));
-    let claimed = top.entry("extinction").or_else(|| find("emission"));
-    let recipe = match (claimed, find("emission_of_depth")) {
+    let medium = top.entry("extinction").or_else(|| find("emission"));
+    let is_claimed = top.entry("depth").is_some() || find("radiance").is_some();
+    let recipe = match (medium, find("emission_of_depth")) {
         (Some(a), Some(b)) => return Err(excluded(a, b)),
-        (Some(_), None) => Recipe::Claimed,
+        (Some(_), None) if is_claimed => Recipe::Claimed,
+        (Some(_), None) => Recipe::Medium,
         (None, Some(_)) => Recipe::EmissionOfDepth,
         (None, None) => Recipe::DepthAndRadiance,
     };
@@ -44,7 +50,9 @@ pub(super) fn recipe<'f>(top: &Table<'f>, channels: &[Table<'f>]) -> Result<Reci
     }
     let (field, inverse) = (top.entry("field"), top.entry("inverse"));
     match (recipe, field, inverse, top.entry("extinction")) {
-        (Recipe::Claimed, _, Some(inverse), Some(extinction)) => Err(excluded(inverse, extinction)),
+        (Recipe::Claimed | Recipe::Medium, _, Some(inverse), Some(extinction)) => {
+            Err(excluded(inverse, extinction))
+        }
         (Recipe::DepthAndRadiance | Recipe::EmissionOfDepth, Some(field), None, _) => {
             Err(incomplete(&field, top.path("inverse")))
         }

@@ -13,7 +13,6 @@ pub(super) fn all(description: &Description, derived: &Derived) -> Vec<Check> {
     let length = &description.length;
     let lambda = Expr::symbol("lambda");
     let is_zero = |expr: &Expr| vanishes(expr, length);
-    let source = derived.source();
     let mut checks = Vec::new();
     let mut add = |statement, outcome| checks.push(Check { statement, outcome });
 
@@ -22,14 +21,13 @@ pub(super) fn all(description: &Description, derived: &Derived) -> Vec<Check> {
         add(Statement::Inverse, is_zero(&(back - lambda)));
     }
     add(Statement::FieldDefined, defined(&derived.field, length));
-    add(Statement::DepthDefined, defined(&derived.depth, length));
-    add(Statement::DepthAtZero, at_zero(&derived.depth, length));
-    add(
-        Statement::DepthContinuous,
-        continuous(&derived.depth, length),
-    );
-    let change = derived.depth.differentiate("lambda") - derived.extinction.clone();
-    add(Statement::DepthDerivative, is_zero(&change));
+    if let Some(depth) = &derived.depth {
+        add(Statement::DepthDefined, defined(depth, length));
+        add(Statement::DepthAtZero, at_zero(depth, length));
+        add(Statement::DepthContinuous, continuous(depth, length));
+        let change = depth.differentiate("lambda") - derived.extinction.clone();
+        add(Statement::DepthDerivative, is_zero(&change));
+    }
     add(
         Statement::ExtinctionDefined,
         defined(&derived.along(&derived.extinction_of_field), length),
@@ -38,20 +36,13 @@ pub(super) fn all(description: &Description, derived: &Derived) -> Vec<Check> {
         Statement::ExtinctionNonNegative,
         nonnegative(&derived.extinction, length),
     );
-    add(
-        Statement::RadianceDefined,
-        defined(&derived.radiance, length),
-    );
-    add(
-        Statement::RadianceAtZero,
-        at_zero(&derived.radiance, length),
-    );
-    add(
-        Statement::RadianceContinuous,
-        continuous(&derived.radiance, length),
-    );
-    let change = derived.radiance.differentiate("lambda") - source;
-    add(Statement::RadianceDerivative, is_zero(&change));
+    if let (Some(radiance), Some(depth)) = (&derived.radiance, &derived.depth) {
+        add(Statement::RadianceDefined, defined(radiance, length));
+        add(Statement::RadianceAtZero, at_zero(radiance, length));
+        add(Statement::RadianceContinuous, continuous(radiance, length));
+        let change = radiance.differentiate("lambda") - derived.source(depth);
+        add(Statement::RadianceDerivative, is_zero(&change));
+    }
     add(
         Statement::EmissionDefined,
         emission_defined(derived, length),
@@ -86,11 +77,11 @@ impl Derived {
     }
 
     /// C τ e^(−t).
-    pub(super) fn source(&self) -> Expr {
+    fn source(&self, depth: &Expr) -> Expr {
         Expr::product([
             self.emission.clone(),
             self.extinction.clone(),
-            (-&self.depth).exp(),
+            (-depth).exp(),
         ])
     }
 }
@@ -228,7 +219,12 @@ fn emission_defined(derived: &Derived, length: &Rational) -> Outcome {
 fn is_zero_by_zero(derived: &Derived, place: &Rational) -> bool {
     let at = |name: &str| (name == "lambda").then(|| Interval::point(128, place));
     let vanishes = |expr: &Expr| expr.enclose(128, &at).is_ok_and(|v| v.contains_zero());
-    vanishes(&derived.extinction) && vanishes(&derived.radiance.differentiate("lambda"))
+    // Of a medium alone there is no quotient.
+    let change = derived
+        .radiance
+        .as_ref()
+        .map(|radiance| radiance.differentiate("lambda"));
+    vanishes(&derived.extinction) && change.is_some_and(|change| vanishes(&change))
 }
 
 /// C ≥ 0, where it is a function of the depth by that function too.
@@ -245,7 +241,10 @@ fn emission_nonnegative(derived: &Derived, length: &Rational) -> Outcome {
     if let (Outcome::Undecided { .. }, Some(emission)) = (&outcome, &derived.emission_of_depth) {
         let over = |name: &str| (name == "lambda").then(|| Interval::point(64, length));
         // The depth never falls: it is greatest at the far end.
-        let greatest = derived.depth.enclose(64, &over).ok();
+        let greatest = derived
+            .depth
+            .as_ref()
+            .and_then(|depth| depth.enclose(64, &over).ok());
         let greatest = greatest.and_then(|depth| Float::to_rational(depth.upper()));
         if let Some(greatest) = greatest
             && decide(

@@ -15,8 +15,10 @@ pub(super) struct Derived {
     pub(super) emission_of_field: Expr,
     pub(super) extinction: Expr,
     pub(super) emission: Expr,
-    pub(super) depth: Expr,
-    pub(super) radiance: Expr,
+    /// t, where it is given.
+    pub(super) depth: Option<Expr>,
+    /// I, where it is given or follows.
+    pub(super) radiance: Option<Expr>,
     /// C as a polynomial of the depth `t`, where it was given so.
     pub(super) emission_of_depth: Option<Expr>,
 }
@@ -25,15 +27,11 @@ pub(super) fn derive(
     description: &Description,
     channel: &ChannelDescription,
 ) -> Result<Derived, ManufactureError> {
-    let depth = description
-        .depth
-        .clone()
-        .ok_or(ManufactureError::Incomplete)?;
-    if let (Some(extinction), Some(emission), Some(radiance)) = (
-        &description.extinction,
-        &channel.emission,
-        &channel.radiance,
-    ) {
+    // All of a claim, or nothing of it: a medium alone.
+    let is_whole = description.depth.is_some() == channel.radiance.is_some();
+    if let (Some(extinction), Some(emission), true) =
+        (&description.extinction, &channel.emission, is_whole)
+    {
         let along = |function: &Expr| shortest(&function.substitute("s", &description.field));
         return Ok(Derived {
             extinction: along(extinction),
@@ -42,11 +40,15 @@ pub(super) fn derive(
             emission_of_field: emission.clone(),
             field: description.field.clone(),
             inverse: description.inverse.clone(),
-            depth,
-            radiance: radiance.clone(),
+            depth: description.depth.clone(),
+            radiance: channel.radiance.clone(),
             emission_of_depth: None,
         });
     }
+    let depth = description
+        .depth
+        .clone()
+        .ok_or(ManufactureError::Incomplete)?;
     let (extinction, emission, radiance) = match (&channel.emission_of_depth, &channel.radiance) {
         (Some(emission), claimed) => of_emission(description, &depth, emission, claimed.as_ref())?,
         (None, Some(radiance)) => of_radiance(description, &depth, radiance)?,
@@ -60,8 +62,8 @@ pub(super) fn derive(
         inverse: description.inverse.clone(),
         extinction,
         emission,
-        depth,
-        radiance,
+        depth: Some(depth),
+        radiance: Some(radiance),
         emission_of_depth: channel.emission_of_depth.clone(),
     })
 }

@@ -13,12 +13,19 @@ const MAX_NODES: usize = 2000;
 
 /// Whether derivative k is certainly the same at both ends, for an integrand that is analytic.
 pub(super) fn equal_derivatives(length: &Rational, derived: &Derived) -> [bool; END_DERIVATIVES] {
-    let attenuation = (-&derived.depth).exp();
-    let difference = |factor: &Expr| {
-        let at = |place: &Expr| {
-            factor.substitute("lambda", place) * attenuation.substitute("lambda", place)
+    let attenuation = derived.depth.as_ref().map(|depth| (-depth).exp());
+    let ends = [Expr::number(length.clone()), Expr::number(0)];
+    let is_equal = |factor: &Expr| {
+        let at_ends = ends.each_ref().map(|end| factor.substitute("lambda", end));
+        let Some(attenuation) = &attenuation else {
+            // Whatever e^(−t) is at the far end, what is 0 at both is equal.
+            return at_ends.iter().all(certainly_vanishes);
         };
-        at(&Expr::number(length.clone())) - at(&Expr::number(0))
+        let [far, near] = ends
+            .each_ref()
+            .map(|end| attenuation.substitute("lambda", end));
+        let [at_far_end, at_near_end] = at_ends;
+        certainly_vanishes(&(at_far_end * far - at_near_end * near))
     };
     let mut equal = [false; END_DERIVATIVES];
     // (g e^(−t))′ = (g′ − τ g) e^(−t)
@@ -36,7 +43,7 @@ pub(super) fn equal_derivatives(length: &Rational, derived: &Derived) -> [bool; 
             break;
         }
         if let Some(slot) = equal.get_mut(k) {
-            *slot = certainly_vanishes(&difference(&factor));
+            *slot = is_equal(&factor);
         }
     }
     equal

@@ -67,7 +67,9 @@ impl Statement {
             Statement::ExtinctionDefined => {
                 "an extinction with a finite value everywhere on the ray"
             }
-            Statement::ExtinctionNonNegative => "a depth that never falls",
+            Statement::ExtinctionNonNegative => {
+                "an extinction of at least 0, as of a depth that never falls"
+            }
             Statement::RadianceDefined => "a radiance with a value everywhere on the ray",
             Statement::RadianceAtZero => "a radiance that begins at 0",
             Statement::RadianceContinuous => "a continuous radiance",

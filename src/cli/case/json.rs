@@ -14,9 +14,9 @@ pub(crate) const HELP: &str = "\
 JSON: volver (its version) and cases, an object a channel: name, channel, title,
 tags, length, formulas (field, extinction, emission, optical_depth, radiance, and
 extinction_along and emission_along of lambda), optical_depth and radiance at the
-far end, checks (statement, claim, outcome, at, value), proved, suits_kernels,
-degenerate, breaks (part of the length, powers in extinction and source). Exact
-numbers are text, as in \"1/3\"; a value below 1e-300 is a string.";
+far end, checks (statement, claim, outcome, at, value), closed_form, proved,
+suits_kernels, degenerate, breaks (part of the length, powers in extinction and
+source). Exact numbers are text, as in \"1/3\"; a value below 1e-300 is a string.";
 
 #[derive(Serialize)]
 struct Document<'a> {
@@ -37,6 +37,8 @@ struct Object<'a> {
     #[serde(serialize_with = "serialize_optional")]
     radiance: Option<Float>,
     checks: Vec<Checked>,
+    /// Whether there are formulas of t and I.
+    closed_form: bool,
     /// The closed form is.
     proved: bool,
     suits_kernels: bool,
@@ -104,9 +106,10 @@ fn object<'a>(loaded: &'a Loaded, case: &'a Manufactured) -> Object<'a> {
             extinction_along: case.extinction.to_string(),
             emission_along: case.emission.to_string(),
         },
-        optical_depth: value::total_depth(case),
-        radiance: value::radiance(case),
+        optical_depth: value::total_depth(case).ok(),
+        radiance: value::radiance(case).ok(),
         checks: case.checks.iter().map(checked).collect(),
+        closed_form: case.has_closed_form(),
         proved: case.is_proved(),
         suits_kernels: case.suits_kernels(),
         degenerate: case.is_degenerate_for_preintegration(),
@@ -121,7 +124,10 @@ fn object<'a>(loaded: &'a Loaded, case: &'a Manufactured) -> Object<'a> {
     }
 }
 
-fn serialize_optional<S: Serializer>(x: &Option<Float>, serializer: S) -> Result<S::Ok, S::Error> {
+pub(crate) fn serialize_optional<S: Serializer>(
+    x: &Option<Float>,
+    serializer: S,
+) -> Result<S::Ok, S::Error> {
     match x {
         Some(x) => serialize_float(x, serializer),
         None => serializer.serialize_none(),

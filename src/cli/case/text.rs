@@ -5,6 +5,7 @@ use rug::{Float, Rational};
 use std::fmt::Write;
 use volver::case::manufacture::{Manufactured, Outcome, Statement};
 use volver::case::{Break, Case};
+use volver::reference::ReferenceError;
 use volver::report::text::wrap;
 use volver::symbolic::Expr;
 
@@ -78,12 +79,20 @@ impl Page {
     }
 
     /// A closed form, and its value at the far end.
-    fn closed_form(&mut self, of: &str, formula: Option<&Expr>, at_end: Option<Float>) {
-        let formula = formula.map_or("no closed form".into(), Expr::to_string);
-        self.line(&format!("{of}(lambda)"), &formula);
-        if let Some(value) = at_end {
-            self.line(&format!("{of}(D)"), &value::decimal(&value));
-        }
+    fn closed_form(
+        &mut self,
+        of: &str,
+        formula: Option<&Expr>,
+        at_end: Result<Float, ReferenceError>,
+    ) {
+        let text = formula.map_or("no closed form".into(), Expr::to_string);
+        self.line(&format!("{of}(lambda)"), &text);
+        let at_end = match at_end {
+            Ok(value) if formula.is_some() => value::decimal(&value),
+            Ok(value) => format!("{} by reference", value::decimal(&value)),
+            Err(error) => format!("unknown: {error}"),
+        };
+        self.line(&format!("{of}(D)"), &at_end);
     }
 
     fn channel(&mut self, case: &Manufactured) {

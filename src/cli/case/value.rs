@@ -1,11 +1,15 @@
 //! Exact numbers and exact answers, evaluated and written.
 
+use rug::float::Special;
 use rug::{Float, Rational};
 use volver::case::Case;
 use volver::case::manufacture::{Manufactured, Outcome};
 use volver::real::{Format, Mpfr};
+use volver::reference::{self, ReferenceError};
 use volver::symbolic::{Expr, Interval};
 
+/// Bits of values without a closed form: more than binary64 has.
+const REFERENCE_BITS: u32 = 64;
 /// The precision that values are shown from where no enclosure is narrow.
 const SHOWN: Mpfr = Mpfr { bits: 128 };
 /// Enclosures are tried at powers of 2 from these bits to those.
@@ -16,18 +20,26 @@ const DIGITS: usize = 6;
 /// Rational numbers of more characters are shown as decimals.
 const LONGEST: usize = 24;
 
-/// t(D), where it has a closed form.
-pub(crate) fn total_depth(case: &Manufactured) -> Option<Float> {
+/// t(D).
+pub(crate) fn total_depth(case: &Manufactured) -> Result<Float, ReferenceError> {
     let length = case.case.length();
-    let depth = enclosed(case.case.formulas().optical_depth.as_ref()?, &length);
-    depth.or_else(|| Some(case.case.optical_depth(&SHOWN.ratio(&length))?.into()))
+    let Some(depth) = &case.case.formulas().optical_depth else {
+        return Ok(reference::optical_depth(&case.case, REFERENCE_BITS)?.value);
+    };
+    let at_end = || Some(case.case.optical_depth(&SHOWN.ratio(&length))?.into());
+    let value = enclosed(depth, &length).or_else(at_end);
+    Ok(value.unwrap_or_else(|| Float::with_val(SHOWN.bits, Special::Nan)))
 }
 
-/// I(D), where it has a closed form.
-pub(crate) fn radiance(case: &Manufactured) -> Option<Float> {
+/// I(D).
+pub(crate) fn radiance(case: &Manufactured) -> Result<Float, ReferenceError> {
     let length = case.case.length();
-    let radiance = enclosed(case.case.formulas().radiance.as_ref()?, &length);
-    radiance.or_else(|| Some(case.case.radiance(&SHOWN.ratio(&length))?.into()))
+    let Some(radiance) = &case.case.formulas().radiance else {
+        return Ok(reference::radiance(&case.case, REFERENCE_BITS)?.value);
+    };
+    let at_end = || Some(case.case.radiance(&SHOWN.ratio(&length))?.into());
+    let value = enclosed(radiance, &length).or_else(at_end);
+    Ok(value.unwrap_or_else(|| Float::with_val(SHOWN.bits, Special::Nan)))
 }
 
 /// The value at λ, whatever cancels in it; `None` where it may be 0 and is not certainly.
@@ -47,7 +59,12 @@ fn enclosed(expr: &Expr, lambda: &Rational) -> Option<Float> {
 
 /// Six significant digits, without an exponent where that is short.
 pub(crate) fn decimal(x: &Float) -> String {
-    let (negative, digits, exponent) = x.to_sign_string_exp(10, Some(DIGITS));
+    decimal_of(x, DIGITS)
+}
+
+/// So many significant digits.
+pub(crate) fn decimal_of(x: &Float, digits: usize) -> String {
+    let (negative, digits, exponent) = x.to_sign_string_exp(10, Some(digits));
     // The value is 0.digits · 10^exponent; 0, NaN and infinities have no exponent.
     let Some(exponent) = exponent else {
         let sign = if negative && !x.is_zero() { "-" } else { "" };

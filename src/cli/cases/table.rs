@@ -6,6 +6,7 @@ use std::collections::BTreeSet;
 use std::fmt::Write;
 use volver::case::Case;
 use volver::case::manufacture::{Manufactured, Outcome};
+use volver::reference::ReferenceError;
 use volver::report::text::wrap;
 
 /// Tags in fewer columns would say nothing.
@@ -72,7 +73,11 @@ pub(super) fn render(loaded: &[Loaded], wanted: &[String], width: usize) -> Stri
 
 fn row<'a>(loaded: &'a Loaded, case: &Manufactured) -> Row<'a> {
     let open = case.checks.iter().filter(|c| c.outcome != Outcome::Proved);
-    let state = if case.is_proved() { "proved" } else { "open" };
+    let state = match (case.has_closed_form(), case.is_proved()) {
+        (false, _) => "by reference",
+        (true, true) => "proved",
+        (true, false) => "open",
+    };
     Row {
         cells: [
             case.case.name().into(),
@@ -88,7 +93,7 @@ fn row<'a>(loaded: &'a Loaded, case: &Manufactured) -> Row<'a> {
     }
 }
 
-fn shown(value: Option<Float>) -> String {
+fn shown(value: Result<Float, ReferenceError>) -> String {
     value.map_or("-".into(), |value| value::decimal(&value))
 }
 

@@ -27,6 +27,9 @@ pub(super) fn render(loaded: &Loaded, language: Language) -> Result<String, Comp
     }
     let version = env!("CARGO_PKG_VERSION");
     head = format!("{head}\nWritten by volver {version}. 0 <= lambda <= LENGTH.");
+    if loaded.cases.iter().any(|case| !case.has_closed_form()) {
+        head += "\nThe optical depth and the radiance have no closed form: there is no function of them.";
+    }
     let mut wanted = Vec::new();
     if let Some(case) = loaded.cases.first() {
         let formulas = case.case.formulas();

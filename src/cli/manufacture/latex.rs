@@ -38,6 +38,12 @@ pub(super) fn render(loaded: &Loaded) -> String {
         "% {}, for the package amsmath",
         loaded.description.name
     );
+    if loaded.cases.iter().any(|case| !case.has_closed_form()) {
+        let _ = writeln!(
+            text,
+            "% no closed form of the optical depth and the radiance"
+        );
+    }
     let _ = writeln!(
         text,
         "\\begin{{align*}}\n{}\n\\end{{align*}}",

@@ -57,7 +57,7 @@ pub(super) fn quantities(channels: &[Manufactured]) -> Vec<Quantity> {
             (-point.1).exp()
         };
     }
-    vec![
+    let mut quantities = vec![
         plain("field s", of_first(0)),
         plain("emission C", of_all(1)),
         plain("extinction τ", of_first(2)),
@@ -76,7 +76,10 @@ pub(super) fn quantities(channels: &[Manufactured]) -> Vec<Quantity> {
             },
             ..plain("radiance I of the ray up to λ", of_all(4))
         },
-    ]
+    ];
+    // What has no closed form is not drawn.
+    quantities.retain(|quantity| quantity.curves.iter().any(|curve| !curve.is_empty()));
+    quantities
 }
 
 /// s, C, τ, t and I of one channel.
