@@ -4,7 +4,6 @@
 
 use rayon::prelude::*;
 use rug::Float;
-use std::f64::consts::LOG2_10;
 use volver::case::manufacture::{Manufactured, Statement, manufacture};
 use volver::case::{Case, Description, Recipe, SymbolicCase, catalogue};
 use volver::reference::{
@@ -29,7 +28,7 @@ fn medium_of(length: &str, extinction: &str, emission: &str) -> SymbolicCase {
 }
 
 fn bits(digits: u32) -> u32 {
-    (f64::from(digits) * LOG2_10).ceil() as u32 + 1
+    u32::try_from((u64::from(digits) * 3322).div_ceil(1000)).unwrap() + 1
 }
 
 fn distance(a: &Float, b: &Float) -> Float {

@@ -85,7 +85,7 @@ pub trait Case: Debug + Send + Sync {
         let length = self.length();
         let breaks = self.structure().breaks.into_iter();
         breaks
-            .map(|b| Some(Interval::point(bits, &Rational::from(b.part? * &length))))
+            .map(|b| Some(Interval::point(bits, &(b.part? * &length))))
             .collect()
     }
 }

@@ -108,7 +108,7 @@ impl ReferenceValue {
     }
 
     fn find<'c>(&self, case: &'c Manufactured) -> Result<Found<'c>, ReferenceError> {
-        // At most 33,220 bits.
+        #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss)] // At most 33,220.
         let bits = (f64::from(self.digits) * LOG2_10).ceil() as u32 + 1;
         if !self.spectral {
             return Ok(Found {

@@ -59,8 +59,9 @@ impl Reference {
             return None;
         }
         let bits = believed_bits(&self.value, &self.error);
-        // Of at most MAX_BITS bits.
-        Some((f64::from(bits.min(MAX_BITS)) * LOG10_2).floor() as u32)
+        #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss)] // At most MAX_BITS.
+        let digits = (f64::from(bits.min(MAX_BITS)) * LOG10_2) as u32;
+        Some(digits)
     }
 }
 
@@ -126,12 +127,8 @@ fn check_bits(bits: u32) -> Result<(), ReferenceError> {
 /// −log₂ of the relative error, at least 0.
 fn believed_bits(value: &Float, error: &Float) -> u32 {
     let bits = (log2_abs(value) - log2_abs(error)).floor();
-    if bits >= f64::from(u32::MAX) {
-        u32::MAX
-    } else if bits > 0.0 {
-        // Between 0 and u32::MAX.
-        bits as u32
-    } else {
-        0
-    }
+    // NaN, of 0 that is exact, becomes 0, and what u32 does not hold its nearest end.
+    #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss)]
+    let bits = bits as u32;
+    bits
 }

@@ -25,6 +25,10 @@ struct Document<'a> {
 }
 
 #[derive(Serialize)]
+#[expect(
+    clippy::struct_excessive_bools,
+    reason = "answers of the document, independent"
+)]
 struct Object<'a> {
     name: &'a str,
     channel: Option<&'a str>,
@@ -124,6 +128,7 @@ fn object<'a>(loaded: &'a Loaded, case: &'a Manufactured) -> Object<'a> {
     }
 }
 
+#[expect(clippy::ref_option, reason = "serde passes the field")]
 pub(crate) fn serialize_optional<S: Serializer>(
     x: &Option<Float>,
     serializer: S,

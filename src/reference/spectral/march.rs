@@ -15,7 +15,7 @@ use std::f64::consts::LOG2_E;
 /// The degree that sampling starts with.
 const FIRST: usize = 16;
 /// Evaluations before it is given up.
-const MAX_EVALUATIONS: u64 = 1 << 20;
+const MAX_EVALUATIONS: u64 = 1 << 18;
 
 /// The state of an integration: all that is left of the current place.
 pub(super) struct March<'m, C> {
@@ -52,13 +52,9 @@ pub(super) struct Resolved<'r> {
 }
 
 impl<'m, C: Case> March<'m, C> {
-    pub(super) fn new(
-        case: &'m C,
-        settings: Settings,
-        work: &'m mut Work,
-    ) -> Result<Self, ReferenceError> {
+    pub(super) fn new(case: &'m C, settings: Settings, work: &'m mut Work) -> Self {
         let bits = settings.precision;
-        Ok(March {
+        March {
             case,
             settings,
             work,
@@ -70,7 +66,7 @@ impl<'m, C: Case> March<'m, C> {
             light_error: Float::new(64),
             scale: f64::NEG_INFINITY,
             lost: f64::NEG_INFINITY,
-        })
+        }
     }
 
     /// The value and what it is off by at most.
@@ -93,7 +89,7 @@ impl<'m, C: Case> March<'m, C> {
                     .get(panel.stretch)
                     .map(|s| s.place(&panel.left).to_f64());
                 return Err(ReferenceError::NotResolved {
-                    wanted: self.settings.target,
+                    wanted: self.settings.wanted,
                     believed: 0,
                     lambda,
                     evaluations: self.work.evaluations,
@@ -235,6 +231,7 @@ fn exp2(x: f64) -> Float {
     if x == f64::NEG_INFINITY {
         return Float::new(64);
     }
-    // Within ±10⁹.
-    Float::with_val(64, (x - whole).min(1.0).exp2()) << whole as i32
+    #[allow(clippy::cast_possible_truncation)] // Within ±10⁹.
+    let exponent = whole as i32;
+    Float::with_val(64, (x - whole).min(1.0).exp2()) << exponent
 }

@@ -44,6 +44,8 @@ pub struct Work {
 struct Settings {
     /// What is wanted.
     quantity: Quantity,
+    /// Significant bits that were asked for.
+    wanted: u32,
     /// Series are resolved to 2^(−target) of the result.
     target: u32,
     /// Significant bits of all numbers.
@@ -53,9 +55,10 @@ struct Settings {
 }
 
 impl Settings {
-    fn new(quantity: Quantity, target: u32) -> Settings {
+    fn new(quantity: Quantity, wanted: u32, target: u32) -> Settings {
         Settings {
             quantity,
+            wanted,
             target,
             precision: target + ROUNDING_BITS,
             // Steep functions decay by a bit in four coefficients; others are quicker in halves.
@@ -74,11 +77,11 @@ pub(super) fn integrate<C: Case>(
     let mut target = bits + TARGET_BITS;
     let mut believed = 0;
     for _ in 0..ATTEMPTS {
-        let settings = Settings::new(quantity, target);
+        let settings = Settings::new(quantity, bits, target);
         if settings.precision > MAX_BITS {
             break;
         }
-        let march = March::new(case, settings, &mut work)?;
+        let march = March::new(case, settings, &mut work);
         let (value, error) = march.run()?;
         let held = bits + GUARD_BITS;
         let unit = Float::with_val(64, value.abs_ref()) >> held;

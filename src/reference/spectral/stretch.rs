@@ -116,6 +116,6 @@ fn root_at_near_end(structure: &Structure) -> u32 {
     let powers = near.flat_map(|b| b.extinction.iter().chain(&b.source));
     let root = powers
         .map(Rational::denom)
-        .fold(Integer::from(1), |root, denominator| root.lcm(denominator));
+        .fold(Integer::from(1), Integer::lcm);
     root.to_u32().filter(|root| *root <= MAX_ROOT).unwrap_or(1)
 }
