@@ -3,11 +3,12 @@
 //! I = ∫₀ᴰ C(s(λ)) τ(s(λ)) exp(−∫₀^λ τ(s(u)) du) dλ.
 //!
 //! In any [`real`] format, a [`case`] gives the field s, the transfer functions C and τ and, where it has a
-//! closed form, the exact radiance, made by hand or from [`symbolic`] expressions; [`quadrature`] gives rules, and a [`method`]
-//! approximates the integral on n segments; a [`reference`] is the radiance to any number of digits; [`convergence`] fits the order of accuracy to its errors on a
-//! ladder of n, with an interval and a verdict; a [`study`] does so for many, and [`report`] shows what
-//! came out. A module uses only those that stand before it: `real`, `symbolic`, `case`, `quadrature`,
-//! `method`, `reference`, `convergence`, `study`, `report`.
+//! closed form, the exact radiance, made by hand or from [`symbolic`] expressions; [`quadrature`] gives
+//! rules, and a [`method`] approximates the integral on n segments; a [`reference`](mod@reference) is the
+//! radiance to any number of digits; [`convergence`] fits the order of accuracy to its errors on a ladder
+//! of n, with an interval and a verdict; a [`study`] does so for many, and [`report`] shows what came out.
+//! A module uses only those that stand before it: `real`, `symbolic`, `case`, `quadrature`, `method`,
+//! `reference`, `convergence`, `study`, `report`.
 //!
 //! ```
 //! use volver::case::SineSquared;
