@@ -130,13 +130,13 @@ impl Case for SymbolicCase {
     }
 
     fn branches<R: Real>(&self, lambda: &R) -> Vec<bool> {
-        let mut branches = self.0.field.branches_at(lambda);
+        let mut branches = self.inner.field.branches_at(lambda);
         branches.extend(self.transfer_branches(&self.field(lambda)));
         branches
     }
 
     fn transfer_branches<R: Real>(&self, s: &R) -> Vec<bool> {
-        self.0.transfer.branches_at(s)
+        self.inner.transfer.branches_at(s)
     }
 
     fn optical_depth<R: Real>(&self, lambda: &R) -> Option<R> {

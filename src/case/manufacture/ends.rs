@@ -52,13 +52,15 @@ pub(super) fn equal_derivatives(length: &Rational, derived: &Derived) -> [bool; 
 /// Whether C τ at the front, less C τ e^(−t) at the far end, is certainly τ at the front times the radiance, for
 /// a medium that is analytic.
 pub(super) fn end_samples_cancel(length: &Rational, derived: &Derived) -> bool {
+    let (Some(depth), Some(radiance)) = (&derived.depth, &derived.radiance) else {
+        return false;
+    };
     let far = Expr::number(length.clone());
     let front = Expr::number(0);
     let source = &derived.emission * &derived.extinction;
-    let attenuated =
-        source.substitute("lambda", &far) * (-derived.depth.substitute("lambda", &far)).exp();
-    let seen = derived.extinction.substitute("lambda", &front)
-        * derived.radiance.substitute("lambda", &far);
+    let attenuated = source.substitute("lambda", &far) * (-depth.substitute("lambda", &far)).exp();
+    let seen =
+        derived.extinction.substitute("lambda", &front) * radiance.substitute("lambda", &far);
     let difference = source.substitute("lambda", &front) - attenuated - seen;
     let difference = expand(&difference).unwrap_or(difference);
     difference.nodes().len() <= MAX_NODES && certainly_vanishes(&difference)
