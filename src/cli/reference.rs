@@ -56,7 +56,7 @@ Examples:
   volver reference sine-squared
   volver reference kink-moving --digits 200 --spectral
   volver reference rgb-transfer/red --digits 20 --json
-  printf 'name=\"a\"\\nlength=1\\nextinction=\"2+sin(10*s^2)\"\\nemission=\"exp(-s^2)\"' | volver reference - --digits 100"
+  printf 'name=\"a\"\\nlength=1\\nextinction=\"1+s^3\"\\nemission=\"exp(-s)\"' | volver reference -"
     )
 }
 

@@ -54,10 +54,16 @@ fn recipes() {
             "'emission' missing beside 'depth', 'radiance', 'extinction'",
         ),
         (
-            &instead(&format!("{x}{e}")),
+            &instead(x),
             3,
             1,
-            "'depth', 'radiance' missing beside 'extinction', 'emission'",
+            "'emission' missing beside 'extinction' (allowed: ",
+        ),
+        (
+            &instead(&format!("depth = '0'\n{x}{e}")),
+            3,
+            1,
+            "'radiance' missing beside 'depth', 'extinction', 'emission' (allowed: ",
         ),
         (
             &slab(&format!("{e}{d}")),
@@ -106,6 +112,8 @@ fn optional_keys() {
     let field = "field = 'lambda'\n";
     let claimed = slab(&format!("emission = '0'\nextinction = '0'\n{field}"));
     assert_eq!(recipe(&claimed), Recipe::Claimed);
+    let medium = instead(&format!("emission = '0'\nextinction = '0'\n{field}"));
+    assert_eq!(recipe(&medium), Recipe::Medium);
     let field = format!("{field}inverse = 's'\n");
     assert_eq!(recipe(&slab(&field)), Recipe::DepthAndRadiance);
     let of_depth = slab(&format!("emission_of_depth = '0'\n{field}"));
