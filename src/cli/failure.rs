@@ -23,6 +23,14 @@ pub(crate) enum Failure {
         /// What the system said.
         error: io::Error,
     },
+    /// The file of a study cannot be read.
+    #[error("{path}: {error} (allowed: a readable text file, as 'volver schema study' describes it)")]
+    StudyFile {
+        /// The path as given.
+        path: String,
+        /// What the system said.
+        error: io::Error,
+    },
     /// What is in a file is wrong.
     #[error("{path}: {error}")]
     Content {

@@ -7,10 +7,14 @@ mod failure;
 mod fit;
 mod manufacture;
 mod reference;
+mod progress;
 mod reproduce;
+mod schema;
+mod study;
 mod terminal;
 
 pub(crate) use failure::Failure;
+pub(crate) use progress::Bar;
 pub(crate) use terminal::{Color, width};
 
 use clap::{Parser, Subcommand};
@@ -24,6 +28,7 @@ Examples:
   volver reproduce --table 1 --levels 8..512
   printf '0.4 8e-2\\n0.2 2e-2\\n0.1 5e-3\\n0.05 1.25e-3\\n' | volver fit -
   volver cases sine-squared
+  volver study --cases sine-squared --methods trapezoid/trapezoid --levels 8..256
   volver manufacture rgb-transfer --code python
   volver reference sine-squared --digits 100
   volver completions bash";
@@ -44,6 +49,8 @@ pub(crate) enum Command {
     Cases(cases::Cases),
     Manufacture(manufacture::Manufacture),
     Reference(reference::ReferenceValue),
+    Study(Box<study::Study>),
+    Schema(schema::Schema),
     Completions(completions::Completions),
 }
 
@@ -56,6 +63,8 @@ impl Command {
             Command::Cases(arguments) => arguments.run(),
             Command::Manufacture(arguments) => arguments.run(),
             Command::Reference(arguments) => arguments.run(),
+            Command::Study(arguments) => arguments.run(),
+            Command::Schema(arguments) => arguments.run(),
             Command::Completions(arguments) => arguments.run(),
         }
     }

@@ -2,9 +2,8 @@
 
 mod nonsmooth;
 
-use super::{Color, Failure, Outcome, write_out};
+use super::{Bar, Color, Failure, Outcome, write_out};
 use clap::Args;
-use indicatif::{ProgressBar, ProgressStyle};
 use std::collections::HashSet;
 use std::fmt::Write;
 use std::path::{Path, PathBuf};
@@ -12,7 +11,6 @@ use std::str::FromStr;
 use volver::convergence::Ladder;
 use volver::real::FormatName;
 use volver::report::{self, ReportError};
-use volver::study::Progress;
 use volver::study::reproduce::{
     Entry, LADDER, ORACLE_BITS, RuleName, Settings, TableNumber, reproduce, work,
 };
@@ -95,7 +93,7 @@ impl Reproduce {
         self.check_places()?;
         let bar = Bar::new(work(&settings));
         let entries = reproduce(&settings, &bar);
-        bar.0.finish_and_clear();
+        bar.finish();
         let entries = entries.map_err(|error| Failure::Usage(error.to_string()))?;
         self.write(&settings, &entries)?;
         Ok(if entries.iter().any(Entry::contradicts_theory) {
@@ -203,25 +201,5 @@ impl Reproduce {
             }
         }
         write_out(&printed)
-    }
-}
-
-/// A bar on the terminal, none where standard error is something else.
-struct Bar(ProgressBar);
-
-impl Bar {
-    fn new(units: u64) -> Self {
-        let bar = ProgressBar::new(units);
-        let template = "{wide_bar} {percent:>3} %, {eta} left";
-        if let Ok(style) = ProgressStyle::with_template(template) {
-            bar.set_style(style);
-        }
-        Bar(bar)
-    }
-}
-
-impl Progress for Bar {
-    fn advance(&self, units: u64) {
-        self.0.inc(units);
     }
 }

@@ -4,8 +4,9 @@ mod text;
 
 /// Most levels a ladder may have.
 pub const MAX_LEVELS: usize = 64;
-/// Most segments a level may have: 2²⁴.
-pub const MAX_SEGMENTS: u64 = 1 << 24;
+/// Most segments a level may have: 2⁴⁸, which binary64 counts exactly. What fits into memory is for the
+/// command to say.
+pub const MAX_SEGMENTS: u64 = 1 << 48;
 
 /// The refinement levels of a study, coarse to fine.
 ///
@@ -25,7 +26,7 @@ pub struct Ladder {
 
 #[derive(Clone, Debug, PartialEq)]
 enum Levels {
-    /// Strictly increasing, 1 ≤ n ≤ 2²⁴.
+    /// Strictly increasing, 1 ≤ n ≤ 2⁴⁸.
     Segments(Vec<u64>),
     /// Strictly decreasing, finite, above 0.
     Steps(Vec<f64>),

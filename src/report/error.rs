@@ -27,6 +27,9 @@ pub enum ReportError {
     /// A value has no place in JSON.
     #[error("cannot write JSON: {0}")]
     Json(#[from] serde_json::Error),
+    /// A table has no place in CSV.
+    #[error("cannot write CSV: {0}")]
+    Csv(#[source] io::Error),
     /// The drawing library refuses a figure.
     #[error("cannot draw the figure '{title}': {reason}")]
     Draw {

@@ -8,6 +8,7 @@
 //! | [`svg`] | log–log convergence plots; cases along their ray |
 //! | [`write_directory`] | all of them as files |
 //! | [`nonsmooth`] | the table of jumps and kinks, as text, Markdown and JSON |
+//! | [`study`] | a study, as text, Markdown, JSON, CSV, LaTeX and plots |
 //!
 //! Nothing here computes an order: a report shows what [`Entry`](crate::study::reproduce::Entry) and
 //! [`Fit`](crate::convergence::Fit) hold.
@@ -21,6 +22,7 @@ mod legend;
 pub mod markdown;
 pub mod nonsmooth;
 mod preflight;
+pub mod study;
 pub mod svg;
 pub mod text;
 mod write;

@@ -1,7 +1,7 @@
 //! `volver reproduce --nonsmooth`: what jumps and kinks cost.
 
-use super::{Bar, Reproduce};
-use crate::cli::{Failure, Outcome, width};
+use super::Reproduce;
+use crate::cli::{Bar, Failure, Outcome, width};
 use volver::report::nonsmooth::{json, text, write};
 use volver::study::nonsmooth::{Cell, measure, work};
 
@@ -9,7 +9,7 @@ impl Reproduce {
     pub(super) fn nonsmooth(&self) -> Result<Outcome, Failure> {
         let bar = Bar::new(work());
         let cells = measure(&bar);
-        bar.0.finish_and_clear();
+        bar.finish();
         let cells = cells.map_err(|error| Failure::Usage(error.to_string()))?;
         self.hand_out(
             || text(&cells, width(), self.color.is_on()),

@@ -14,7 +14,11 @@ fn every_form_of_text_gives_its_levels_and_prints_back() {
         ("9,18,37", &[9, 18, 37], "9,18,37"),
         ("9, 27, 81", &[9, 27, 81], "9..81x3"),
         ("5..5", &[5], "5..5"),
-        ("1,16777216", &[1, 1 << 24], "1..16777216x16777216"),
+        (
+            "1,281474976710656",
+            &[1, 1 << 48],
+            "1..281474976710656x281474976710656",
+        ),
     ] {
         let ladder = parse(text).unwrap();
         assert_eq!(ladder.as_segments(), Some(levels), "{text}");
@@ -62,33 +66,33 @@ fn errors_name_the_value_and_what_is_allowed() {
         ("0", "0 levels are not allowed (allowed: 1 to 64)"),
         ("65", "65 levels are not allowed (allowed: 1 to 64)"),
         (
-            "23",
-            "23 doublings are too many (allowed: up to 16777216 segments)",
+            "47",
+            "47 doublings are too many (allowed: up to 281474976710656 segments)",
         ),
         (
             "64",
-            "64 doublings are too many (allowed: up to 16777216 segments)",
+            "64 doublings are too many (allowed: up to 281474976710656 segments)",
         ),
         (
             "0..8",
-            "0 segments are not allowed (allowed: 1 to 16777216)",
+            "0 segments are not allowed (allowed: 1 to 281474976710656)",
         ),
         (
-            "8..16777217",
-            "16777217 segments are not allowed (allowed: 1 to 16777216)",
+            "8..281474976710657",
+            "281474976710657 segments are not allowed (allowed: 1 to 281474976710656)",
         ),
         (
             "8..4",
             "4 segments after 8 are not allowed (allowed: strictly increasing)",
         ),
-        ("8..64x1", "ratio 1 is not allowed (allowed: 2 to 16777216)"),
+        ("8..64x1", "ratio 1 is not allowed (allowed: 2 to 281474976710656)"),
         (
             "8..6 4",
-            "'6 4' in ladder '8..6 4' is not allowed (allowed: 1 to 16777216 segments)",
+            "'6 4' in ladder '8..6 4' is not allowed (allowed: 1 to 281474976710656 segments)",
         ),
         (
             "8..+64",
-            "'+64' in ladder '8..+64' is not allowed (allowed: 1 to 16777216 segments)",
+            "'+64' in ladder '8..+64' is not allowed (allowed: 1 to 281474976710656 segments)",
         ),
         (
             "8,16,16",
@@ -96,9 +100,9 @@ fn errors_name_the_value_and_what_is_allowed() {
         ),
         (
             "8,,16",
-            "'' in ladder '8,,16' is not allowed (allowed: 1 to 16777216 segments)",
+            "'' in ladder '8,,16' is not allowed (allowed: 1 to 281474976710656 segments)",
         ),
-        ("0,1", "0 segments are not allowed (allowed: 1 to 16777216)"),
+        ("0,1", "0 segments are not allowed (allowed: 1 to 281474976710656)"),
         (
             "d=0.1,0.1",
             "step 0.1 is not allowed (allowed: finite, above 0, strictly decreasing)",
@@ -123,8 +127,8 @@ fn errors_name_the_value_and_what_is_allowed() {
 #[test]
 fn ladders_stop_at_their_bounds() {
     assert_eq!(
-        parse("22").unwrap().as_segments().unwrap().last(),
-        Some(&(1 << 24))
+        parse("46").unwrap().as_segments().unwrap().last(),
+        Some(&(1 << 48))
     );
     assert_eq!(
         Ladder::geometric(0, 2, 3),

@@ -111,6 +111,13 @@ impl ErrorModel {
         parts.fold(f64::NEG_INFINITY, log2_hypot)
     }
 
+    /// log₂ of the whole error in the format, as a root mean square.
+    #[must_use]
+    pub fn log2_error(&self, log2_n: f64) -> f64 {
+        let rounding = self.log2_rounding(log2_n, f64::from(self.bits));
+        log2_hypot(self.log2_discretization(log2_n), rounding)
+    }
+
     /// n*: from there on roundoff is larger than discretization. `None` where one of them is unknown or
     /// nothing, or where that is below the coarsest level or beyond 2⁶⁰.
     #[must_use]

@@ -47,6 +47,28 @@ pub(super) struct Panel {
     /// (x, label), coarse to fine; without any, ticks stand at powers of ten of the step.
     pub(super) ticks: Vec<(f64, String)>,
     pub(super) curves: Vec<Curve>,
+    /// What was fitted to the curves, drawn thin.
+    pub(super) models: Vec<Model>,
+    /// An n of interest.
+    pub(super) guide: Option<Guide>,
+}
+
+/// A fitted curve.
+#[derive(Clone, Debug, PartialEq)]
+pub(super) struct Model {
+    /// Its place in the palette.
+    pub(super) color: usize,
+    /// (x, log₁₀|e|), from left to right.
+    pub(super) path: Vec<(f64, f64)>,
+}
+
+/// A vertical line with words beside it.
+#[derive(Clone, Debug, PartialEq)]
+pub(super) struct Guide {
+    /// Where, if within the axes or near them.
+    pub(super) x: Option<f64>,
+    /// The words, line by line.
+    pub(super) lines: Vec<String>,
 }
 
 impl Curve {
@@ -132,6 +154,8 @@ fn panel(row: &Row<'_>, axis: &str, columns: &[&str]) -> Panel {
                 of_entry(entry, color.unwrap_or(0))
             })
             .collect(),
+        models: Vec::new(),
+        guide: None,
     }
 }
 

@@ -96,6 +96,7 @@ fn key_of(panels: &[&Panel]) -> Vec<Entry> {
         (Entry::Negative, marks().any(|m| m.negative)),
         (Entry::Bias, curves().any(|c| !c.bias.is_empty())),
         (Entry::Floor, floor),
+        (Entry::Model, panels.iter().any(|p| !p.models.is_empty())),
     ]
     .into_iter()
     .filter_map(|(entry, shown)| shown.then_some(entry))

@@ -3,7 +3,7 @@
 use super::canvas::{Canvas, Point, Stroke, text_width};
 use super::curve::Mark;
 use super::mark;
-use super::style::{BIAS_DASHES, FLOOR, FLOOR_DOTS, MUTED, letters};
+use super::style::{BIAS_DASHES, FLOOR, FLOOR_DOTS, MODEL, MUTED, letters};
 use plotters::prelude::RGBColor;
 use plotters::style::text_anchor::HPos;
 
@@ -26,6 +26,7 @@ pub(super) enum Entry {
     Negative,
     Bias,
     Floor,
+    Model,
 }
 
 impl Entry {
@@ -37,6 +38,7 @@ impl Entry {
             Entry::Negative => "error below 0",
             Entry::Bias => "|bias|",
             Entry::Floor => "roundoff floor",
+            Entry::Model => "fitted model",
         }
     }
 
@@ -67,6 +69,7 @@ impl Entry {
                 canvas.dashes(&ends, Stroke { color, width }, BIAS_DASHES);
             }
             Entry::Floor => canvas.dashes(&ends, FLOOR, FLOOR_DOTS),
+            Entry::Model => canvas.path(&ends, MODEL),
         }
     }
 }

@@ -14,6 +14,8 @@ mod canvas;
 mod case;
 mod curve;
 mod figure;
+mod guide;
+mod heat;
 mod key;
 mod mark;
 mod of_fit;
@@ -21,12 +23,14 @@ mod panel;
 mod place;
 mod scale;
 mod slopes;
+mod split;
 mod style;
 mod triangle;
 
 use super::{Group, ReportError};
 use crate::case::manufacture::Manufactured;
 use crate::convergence::{Fit, Sample};
+use crate::study::sweep::Line;
 
 /// One panel for every row of a table, in it one curve a column. With replicas the curve is their
 /// standard deviation, and |bias| is dashed.
@@ -61,6 +65,27 @@ pub fn convergence_plot(samples: &[Sample], fit: &Fit, title: &str) -> Result<St
 /// [`ReportError::Draw`], which no case is known to cause.
 pub fn case_plot(title: &str, channels: &[Manufactured]) -> Result<String, ReportError> {
     case::figure(title, channels)
+}
+
+/// The parts of a method's error on a case against n, one panel a format: measured, with thin curves that were
+/// fitted, and a line at n*, from where on roundoff is larger than discretization.
+///
+/// Levels where a part is 0, or so small that the oracle's rounding hides it, are left out.
+///
+/// # Errors
+///
+/// [`ReportError::Draw`], which no study is known to cause.
+pub fn split_plot(title: &str, lines: &[&Line]) -> Result<String, ReportError> {
+    figure::figure(title, &split::panels(lines))
+}
+
+/// A map of correct decimal digits over n and the bits of a format, from lines that differ in bits alone.
+///
+/// # Errors
+///
+/// [`ReportError::Draw`], which no study is known to cause.
+pub fn digits_plot(title: &str, lines: &[&Line]) -> Result<String, ReportError> {
+    heat::figure(title, lines)
 }
 
 #[cfg(test)]

@@ -42,6 +42,8 @@ pub(super) fn of_fit(samples: &[Sample], fit: &Fit) -> Panel {
         y_label: "|error|",
         ticks: levels.as_deref().map(ticks).unwrap_or_default(),
         curves: vec![curve],
+        models: Vec::new(),
+        guide: None,
     }
 }
 

@@ -5,8 +5,8 @@ use super::axes::{self, Axes};
 use super::canvas::{Canvas, Stroke};
 use super::curve::{Curve, Panel};
 use super::key::{self, Entry};
-use super::style::{BIAS_DASHES, FLOOR, FLOOR_DOTS, color, letters};
-use super::{mark, slopes};
+use super::style::{BIAS_DASHES, FLOOR, FLOOR_DOTS, MODEL, color, letters};
+use super::{guide, mark, slopes};
 use plotters::style::text_anchor::HPos;
 
 /// Room round the axes for ticks and labels.
@@ -52,10 +52,19 @@ pub(super) fn draw(canvas: &mut Canvas<'_>, panel: &Panel, cell: &Area, lines: u
             canvas.dashes(&[from, to], FLOOR, FLOOR_DOTS);
         }
     }
+    for model in &panel.models {
+        let stroke = Stroke { color: color(model.color), ..MODEL };
+        for (from, to) in axes.inside(&axes.path(&model.path)) {
+            canvas.path(&[from, to], stroke);
+        }
+    }
     for (index, curve) in panel.curves.iter().enumerate() {
         draw_curve(canvas, curve, index, &axes);
     }
     slopes::draw(canvas, panel, &axes);
+    if let Some(guide) = &panel.guide {
+        guide::draw(canvas, guide, &axes);
+    }
 }
 
 /// Whether some of a roundoff floor lies within the axes.

@@ -33,9 +33,14 @@ pub(super) const FLOOR: Stroke = Stroke {
     color: MUTED,
     width: 1.3,
 };
+pub(super) const MODEL: Stroke = Stroke {
+    color: MUTED,
+    width: 0.7,
+};
 /// Dash and gap.
 pub(super) const FLOOR_DOTS: (f64, f64) = (1.3, 3.0);
 pub(super) const BIAS_DASHES: (f64, f64) = (6.0, 4.0);
+pub(super) const GUIDE_DASHES: (f64, f64) = (4.0, 3.0);
 
 /// The colour of a column; they repeat after seven.
 pub(super) fn color(index: usize) -> RGBColor {

@@ -14,6 +14,9 @@ pub struct Estimate {
     pub work: f64,
 }
 
+/// Seconds that a unit of work takes on one core, roughly: most of it is the oracle's, whose precision is
+/// bounded below.
+const SECONDS: f64 = 1.5e-6;
 /// Bytes a number takes beside its digits: the header and the allocation of an MPFR number.
 const HEADER_BYTES: f64 = 48.0;
 /// s, C and τ, kept by place and in a column.
@@ -44,6 +47,23 @@ impl Estimate {
             bytes: numbers * widest * at_once,
             work: work.sum::<f64>() * sweep.cases.len() as f64,
         }
+    }
+
+    /// Seconds on `threads` threads of as many cores, within a factor of a few.
+    #[must_use]
+    pub fn seconds(&self, threads: usize) -> f64 {
+        self.work * SECONDS / threads.max(1) as f64
+    }
+
+    /// All work, as progress counts it.
+    #[must_use]
+    #[expect(
+        clippy::cast_possible_truncation,
+        clippy::cast_sign_loss,
+        reason = "not negative, and saturating"
+    )]
+    pub fn work_units(&self) -> u64 {
+        self.work as u64
     }
 
     /// Work of one level of one unit.

@@ -197,7 +197,10 @@ fn read(path: &Path, file: &mut File, header: &Header) -> Result<(Vec<Unit>, u64
         let mut bytes = Vec::new();
         let count = reader.read_until(b'\n', &mut bytes).map_err(at(path))?;
         if bytes.last() != Some(&b'\n') {
-            // The end, or a line that was cut off.
+            // The end, or a line that was cut off; a file of something else is not for us to cut.
+            if number == 1 && !line(header).as_bytes().starts_with(&bytes) {
+                return Err(JournalError::NoHeader { path: path.display().to_string() });
+            }
             break;
         }
         if number == 1 {

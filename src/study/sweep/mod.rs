@@ -5,17 +5,23 @@
 //! off and resumed gives the same bytes as one that was not.
 
 mod estimate;
+mod file;
 mod journal;
 mod number;
 mod record;
+mod results;
 mod run;
 mod summary;
+#[cfg(test)]
+mod tests;
 
 pub use estimate::Estimate;
+pub use file::{FileLevels, StudyFile, StudyFileError, StudyFileProblem};
 pub use journal::{Journal, JournalError};
-pub use record::{Header, LevelRecord, Part, Row, State, Unit};
+pub use record::{Header, LevelRecord, Part, Row, State, Theory, Unit};
+pub use results::{Line, Results};
 pub use run::{Statistics, SweepError, run};
-pub use summary::{Summary, summarize};
+pub use summary::{Bits, Summary, TOLERANCES, summarize};
 
 use crate::case::SymbolicCase;
 use crate::method::Method;

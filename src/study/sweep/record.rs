@@ -137,6 +137,20 @@ pub enum State {
     Refused(String),
 }
 
+impl State {
+    /// In a word, the same in every report.
+    #[must_use]
+    pub fn name(&self) -> &'static str {
+        match self {
+            State::Split => "split",
+            State::BranchDiverged => "branch-diverged",
+            State::NotFinite => "not-finite",
+            State::Unsettled => "unsettled",
+            State::Refused(_) => "refused",
+        }
+    }
+}
+
 /// A part of an error, by name.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Part {

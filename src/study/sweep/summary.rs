@@ -3,8 +3,12 @@
 use super::record::{Part, Row, State, Unit};
 use crate::convergence::{Best, ErrorModel, Fit, FitError, Laws, Sample, Split, fit};
 use crate::method::Expected;
+use crate::real::{MpfrReal, Real};
 use rug::Float;
 use serde::Serialize;
+
+/// Errors relative to |I| for which the bits they need are told.
+pub const TOLERANCES: [f64; 4] = [1e-3, 1e-6, 1e-9, 1e-12];
 
 /// One method on one case in one format, all levels together.
 #[derive(Clone, Debug, Serialize)]
@@ -19,12 +23,24 @@ pub struct Summary {
     pub crossing: Option<f64>,
     /// The least error that the method can reach in the format.
     pub best: Option<Best>,
+    /// The fewest bits for each of [`TOLERANCES`], by the model.
+    pub bits_needed: [Bits; TOLERANCES.len()],
     /// The model behind n* and the least error.
     #[serde(skip)]
     pub model: ErrorModel,
 }
 
-/// The summary of a row of `unit`, on a ray of that length; `None` where no level has an error.
+/// The bits that a tolerance needs.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+pub struct Bits {
+    /// Relative to |I|.
+    pub tolerance: f64,
+    /// The fewest significant bits with which some n reaches it; `None` where none does, or I is 0.
+    pub bits: Option<u32>,
+}
+
+/// The summary of a row of `unit`, on a ray of that length. Without a level that is split there is nothing to
+/// fit, and the verdict says so.
 ///
 /// # Errors
 /// [`FitError`], which levels that ascend do not cause.
@@ -71,8 +87,18 @@ pub fn summarize(unit: &Unit, row: &Row, length: f64) -> Result<Summary, FitErro
         laws: model.laws,
         crossing: model.crossing(),
         best: model.best(),
+        bits_needed: TOLERANCES.map(|tolerance| Bits {
+            tolerance,
+            bits: bits_for(&model, tolerance, &unit.radiance),
+        }),
         model,
     })
+}
+
+fn bits_for(model: &ErrorModel, tolerance: f64, radiance: &Float) -> Option<u32> {
+    let size = MpfrReal::from(radiance.clone()).log2_abs();
+    let wanted = size + tolerance.log2();
+    wanted.is_finite().then(|| model.bits_for(wanted)).flatten()
 }
 
 fn sample(n: u64, length: f64, error: &Float, floor: &Float) -> Sample {

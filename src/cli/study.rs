@@ -1,0 +1,227 @@
+//! `volver study`: cases × methods × formats × levels, every error split into parts.
+
+mod asked;
+mod cases;
+mod formats;
+mod levels;
+mod memory;
+mod methods;
+
+use super::{Bar, Color, Failure, Outcome, write_out};
+use asked::Asking;
+use clap::Args;
+use formats::Formats;
+use std::fmt::{Display, Write};
+use std::path::{Path, PathBuf};
+use std::thread;
+use volver::case::Case;
+use volver::real::FormatName;
+use volver::report::{self, study};
+use volver::study::Progress;
+use volver::study::sweep::{Estimate, Header, Journal, Line, Results, Sweep, run};
+
+const EXAMPLES: &str = "\
+Every error of every method on every case in every format at every n is split into
+discretization, input rounding and arithmetic rounding, which are fitted each:
+docs/study.md says how. FILE is a study.toml, with the keys cases, methods,
+formats, levels and sweep-bits ('volver schema study'); options go before it.
+
+CASES are names that 'volver cases' lists, NAME/CHANNEL, @TAG for all cases with a
+tag, or paths of case files; every channel is a case of its own. METHODS are
+INNER/OUTER: riemann-left, riemann-right, midpoint, trapezoid, simpson, boole or
+gauss-POINTS. FORMATS are f16, bf16, f32, f64, tf32, fp8-e4m3, fp8-e5m2,
+ieee:BITS,EMIN,EMAX, fixed:INTEGER.FRACTION or mpfr:BITS. Lists are separated by
+commas, blanks or semicolons; options may be repeated.
+
+The exit code is 1 where a discretization error contradicts theory.
+
+Examples:
+  volver study --cases sine-squared --methods trapezoid/trapezoid,simpson/simpson --levels 8..512
+  volver study --cases sine-squared --formats f32,ieee:11,-14,15 --levels 8..128 --csv -
+  volver study --cases rgb-transfer/red --methods gauss-2/simpson --levels 8..128 --json -
+  volver study --cases sine-squared --formats f32 --levels 8..64 --sweep-bits 8..24 --quiet";
+
+/// Split errors into discretization and roundoff, for cases × methods × formats × levels
+#[derive(Args)]
+#[command(after_help = EXAMPLES)]
+pub(crate) struct Study {
+    /// What to run: a study.toml
+    #[arg(value_name = "FILE")]
+    file: Option<PathBuf>,
+    /// Cases, repeatable
+    #[arg(long, value_name = "CASES")]
+    cases: Vec<String>,
+    /// Methods, repeatable [default: riemann-left/riemann-left,
+    /// trapezoid/trapezoid, simpson/simpson]
+    #[arg(long, value_name = "METHODS")]
+    methods: Vec<String>,
+    /// Formats, repeatable [default: f32, f64]
+    #[arg(long, value_name = "FORMATS")]
+    formats: Vec<String>,
+    /// Numbers of segments: 8..4096 by doubling, 9..5000x3 or 12,24,48
+    /// [default: 8..4096]
+    #[arg(long, value_name = "LADDER")]
+    levels: Option<String>,
+    /// Map correct digits over n and the bits of mpfr:A to mpfr:B
+    #[arg(long, value_name = "A..B")]
+    sweep_bits: Option<String>,
+    /// Keep results, tables and plots in a directory
+    #[arg(long, value_name = "DIR")]
+    out: Option<PathBuf>,
+    /// Go on with the results in the directory
+    #[arg(long, requires = "out")]
+    resume: bool,
+    /// Threads to run on [default: all cores]
+    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u16).range(1..=1024))]
+    threads: Option<u16>,
+    /// Run even if it takes more than 2 GiB of memory
+    #[arg(long)]
+    yes: bool,
+    /// Write one JSON document; - is standard output, without the table
+    #[arg(long, value_name = "FILE")]
+    json: Option<PathBuf>,
+    /// Write all levels as CSV; - is standard output, without the table
+    #[arg(long, value_name = "FILE")]
+    csv: Option<PathBuf>,
+    /// Print no table
+    #[arg(long)]
+    quiet: bool,
+    /// Colour the verdicts
+    #[arg(long, value_enum, default_value = "auto", value_name = "WHEN")]
+    color: Color,
+}
+
+impl Study {
+    pub(crate) fn run(self) -> Result<Outcome, Failure> {
+        if is_dash(self.json.as_deref()) && is_dash(self.csv.as_deref()) {
+            return Err(Failure::Usage(
+                "'--json -' and '--csv -' both go to standard output (allowed: one of them with a file)".into(),
+            ));
+        }
+        let asking = Asking::new(self.file.as_deref())?;
+        let Formats { formats, swept, bits } = formats::chosen(&asking, &self.formats, self.sweep_bits.as_deref())?;
+        let methods = methods::chosen(&asking, &self.methods)?;
+        let levels = levels::chosen(&asking, self.levels.as_deref())?;
+        let sweep = Sweep {
+            cases: cases::chosen(&asking, &self.cases)?,
+            methods,
+            formats,
+            levels,
+        };
+        let threads = self.threads();
+        let estimate = Estimate::new(&sweep, threads);
+        memory::check(&estimate, threads, self.yes)?;
+        self.check_places()?;
+        let header = Header::new(&sweep);
+        let lengths: Vec<f64> = sweep.cases.iter().map(|(_, case)| case.length().to_f64()).collect();
+        let units = self.units(&sweep, &header, threads, &estimate)?;
+        let results = Results::new(header, bits, units, &lengths, &swept).map_err(said)?;
+        self.hand_out(&results)?;
+        let contradicts = |line: &Line| !line.swept && line.contradicts_theory();
+        Ok(if results.lines.iter().any(contradicts) {
+            Outcome::CheckFailed
+        } else {
+            Outcome::Good
+        })
+    }
+
+    fn threads(&self) -> usize {
+        let all = || thread::available_parallelism().map_or(1, usize::from);
+        self.threads.map_or_else(all, usize::from)
+    }
+
+    /// Whether reports will find their places, asked before the work is done.
+    fn check_places(&self) -> Result<(), Failure> {
+        if let Some(directory) = &self.out {
+            report::prepare_directory(directory)?;
+        }
+        for file in [&self.json, &self.csv].into_iter().flatten() {
+            if !is_dash(Some(file)) {
+                report::check_file(file)?;
+            }
+        }
+        Ok(())
+    }
+
+    /// Runs what is not in the journal yet; the finished units, in their order.
+    fn units(
+        &self,
+        sweep: &Sweep,
+        header: &Header,
+        threads: usize,
+        estimate: &Estimate,
+    ) -> Result<Vec<volver::study::sweep::Unit>, Failure> {
+        let temporary = match &self.out {
+            Some(_) => None,
+            None => Some(tempfile::tempdir().map_err(said)?),
+        };
+        let directory = temporary.as_ref().map(tempfile::TempDir::path);
+        let directory = directory.or(self.out.as_deref()).unwrap_or(Path::new("."));
+        let path = directory.join("study.jsonl");
+        let mut journal = if self.resume {
+            Journal::resume(&path, header)
+        } else {
+            Journal::begin(&path, header)
+        }
+        .map_err(said)?;
+        // The levels of a unit may go side by side too.
+        let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build_global();
+        pool.map_err(said)?;
+        let bar = Bar::new(estimate.work_units());
+        let is_done = |(name, _): &(String, _), format: &FormatName| journal.has(name, &format.to_string());
+        for case in &sweep.cases {
+            for format in sweep.formats.iter().filter(|format| is_done(case, format)) {
+                let works = sweep.levels.iter().map(|&n| Estimate::work(sweep, *format, n));
+                bar.skip(works.fold(0, u64::saturating_add));
+            }
+        }
+        let ran = run(sweep, &mut journal, threads, &bar as &dyn Progress);
+        bar.finish();
+        ran.map_err(said)?;
+        journal.finish(header).map_err(said)
+    }
+
+    /// Standard output is for one thing at a time.
+    fn prints_table(&self) -> bool {
+        !self.quiet && !is_dash(self.json.as_deref()) && !is_dash(self.csv.as_deref())
+    }
+
+    fn hand_out(&self, results: &Results) -> Result<(), Failure> {
+        let mut printed = String::new();
+        if self.prints_table() {
+            printed += &study::text(results, super::width(), self.color.is_on());
+        }
+        if let Some(directory) = &self.out {
+            let files = study::write(directory, results)?;
+            if self.prints_table() {
+                // The journal is one of them.
+                let _ = writeln!(printed, "{} files in {}", files.len() + 1, directory.display());
+            }
+        }
+        if let Some(file) = &self.json {
+            put(file, &study::json(results)?, &mut printed)?;
+        }
+        if let Some(file) = &self.csv {
+            put(file, &study::csv(results)?, &mut printed)?;
+        }
+        write_out(&printed)
+    }
+}
+
+/// Into a file, or to what is printed.
+fn put(file: &Path, text: &str, printed: &mut String) -> Result<(), Failure> {
+    if is_dash(Some(file)) {
+        printed.push_str(text);
+        return Ok(());
+    }
+    Ok(report::write_file(file, text)?)
+}
+
+fn is_dash(file: Option<&Path>) -> bool {
+    file == Some(Path::new("-"))
+}
+
+/// What a library's error says.
+fn said(error: impl Display) -> Failure {
+    Failure::Usage(error.to_string())
+}

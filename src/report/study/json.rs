@@ -1,0 +1,102 @@
+//! Everything but the levels, for programs.
+
+use crate::convergence::Fit;
+use crate::report::ReportError;
+use crate::study::sweep::{Bits, Line, Results, State, Theory};
+use crate::convergence::{Laws, serialize_float};
+use rug::Float;
+use serde::Serialize;
+use std::collections::BTreeMap;
+
+#[derive(Serialize)]
+struct Document<'a> {
+    volver: &'static str,
+    settings: Settings<'a>,
+    rows: Vec<RowOf<'a>>,
+}
+
+#[derive(Serialize)]
+struct Settings<'a> {
+    cases: Vec<&'a str>,
+    methods: &'a [String],
+    formats: &'a [String],
+    levels: &'a [u64],
+    sweep_bits: Option<[u32; 2]>,
+}
+
+#[derive(Serialize)]
+struct RowOf<'a> {
+    case: &'a str,
+    method: &'a str,
+    format: &'a str,
+    bits: u32,
+    #[serde(serialize_with = "serialize_float")]
+    radiance: Float,
+    expected: Theory,
+    contradicts_theory: bool,
+    discretization: &'a Fit,
+    total: &'a Fit,
+    laws: &'a Laws,
+    crossing: Option<f64>,
+    best: Option<Best>,
+    bits_needed: &'a [Bits],
+    /// Levels by what became of them.
+    states: BTreeMap<&'static str, usize>,
+}
+
+#[derive(Serialize)]
+struct Best {
+    n: f64,
+    #[serde(serialize_with = "serialize_float")]
+    error: Float,
+}
+
+/// `{"volver": version, "settings": {…}, "rows": […]}`, indented, with a newline at the end. Rows have the
+/// fields of [`Summary`](crate::study::sweep::Summary); the errors themselves are in the CSV.
+///
+/// # Errors
+/// [`ReportError::Json`], which no study is known to cause.
+pub fn json(results: &Results) -> Result<String, ReportError> {
+    let header = &results.header;
+    let document = Document {
+        volver: env!("CARGO_PKG_VERSION"),
+        settings: Settings {
+            cases: header.cases.iter().map(|[name, ..]| name.as_str()).collect(),
+            methods: &header.methods,
+            formats: &header.formats,
+            levels: &header.levels,
+            sweep_bits: results.sweep_bits.as_ref().map(|bits| [*bits.start(), *bits.end()]),
+        },
+        rows: results.lines.iter().map(row).collect(),
+    };
+    let mut text = serde_json::to_string_pretty(&document)?;
+    text.push('\n');
+    Ok(text)
+}
+
+fn row(line: &Line) -> RowOf<'_> {
+    let summary = &line.summary;
+    let mut states: BTreeMap<&'static str, usize> = BTreeMap::new();
+    for level in &line.row.levels {
+        *states.entry(State::name(&level.state)).or_default() += 1;
+    }
+    RowOf {
+        case: &line.case,
+        method: &line.row.method,
+        format: &line.format,
+        bits: line.bits,
+        radiance: line.radiance.clone(),
+        expected: line.row.expected,
+        contradicts_theory: line.contradicts_theory(),
+        discretization: &summary.discretization,
+        total: &summary.total,
+        laws: &summary.laws,
+        crossing: summary.crossing,
+        best: summary.best.map(|best| Best {
+            n: best.log2_n.exp2(),
+            error: Float::with_val(64, best.log2_error).exp2(),
+        }),
+        bits_needed: &summary.bits_needed,
+        states,
+    }
+}

@@ -1,0 +1,56 @@
+//! A study: for a terminal, as a document, for programs, for a paper.
+
+mod csv;
+mod json;
+mod latex;
+mod markdown;
+mod names;
+#[cfg(test)]
+mod tests;
+mod text;
+pub(super) mod words;
+
+pub use csv::csv;
+pub use json::json;
+pub use latex::latex;
+pub use markdown::markdown;
+pub use text::text;
+
+use super::{ReportError, svg, write_file};
+use crate::study::sweep::Results;
+use names::Figure;
+use std::fs;
+use std::path::{Path, PathBuf};
+
+/// Writes `study.csv`, `study.json`, `study.tex`, one plot a case and method, and `study.md`, which shows them,
+/// into `dir`; returns the paths written. Other files in `dir` stay.
+///
+/// # Errors
+/// [`ReportError::Directory`] or [`ReportError::File`] with the path and the system's reason.
+pub fn write(dir: &Path, results: &Results) -> Result<Vec<PathBuf>, ReportError> {
+    fs::create_dir_all(dir).map_err(|reason| ReportError::Directory {
+        path: dir.into(),
+        reason,
+    })?;
+    let mut paths = Vec::new();
+    let mut put = |name: &str, contents: &str| -> Result<(), ReportError> {
+        let path = dir.join(name);
+        write_file(&path, contents)?;
+        paths.push(path);
+        Ok(())
+    };
+    for Figure { file, case, method, lines, is_map } in names::figures(results) {
+        let title = format!("{case}, {method}");
+        let figure = if is_map {
+            svg::digits_plot(&title, &lines)?
+        } else {
+            svg::split_plot(&title, &lines)?
+        };
+        put(&file, &figure)?;
+    }
+    put("study.csv", &csv(results)?)?;
+    put("study.json", &json(results)?)?;
+    put("study.tex", &latex(results))?;
+    put("study.md", &markdown(results))?;
+    Ok(paths)
+}

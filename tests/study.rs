@@ -1,0 +1,1 @@
+//! `volver study` keeps its contract: outputs, resuming, threads, bad input.
