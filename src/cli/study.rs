@@ -98,6 +98,10 @@ impl Study {
                 "'--json -' and '--csv -' both go to standard output (allowed: one of them with a file)".into(),
             ));
         }
+        let threads = self.threads();
+        // Cases are read side by side, and so may the levels of a unit be.
+        let pool = rayon::ThreadPoolBuilder::new().num_threads(threads);
+        pool.build_global().map_err(said)?;
         let asking = Asking::new(self.file.as_deref())?;
         let Formats { formats, swept, bits } = formats::chosen(&asking, &self.formats, self.sweep_bits.as_deref())?;
         let methods = methods::chosen(&asking, &self.methods)?;
@@ -108,7 +112,6 @@ impl Study {
             formats,
             levels,
         };
-        let threads = self.threads();
         let estimate = Estimate::new(&sweep, threads);
         memory::check(&estimate, threads, self.yes)?;
         self.check_places()?;
@@ -164,9 +167,6 @@ impl Study {
             Journal::begin(&path, header)
         }
         .map_err(said)?;
-        // The levels of a unit may go side by side too.
-        let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build_global();
-        pool.map_err(said)?;
         let bar = Bar::new(estimate.work_units());
         let is_done = |(name, _): &(String, _), format: &FormatName| journal.has(name, &format.to_string());
         for case in &sweep.cases {

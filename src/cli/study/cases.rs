@@ -44,13 +44,11 @@ pub(super) fn chosen(asking: &Asking, given: &[String]) -> Result<Vec<(String, S
             if wanted.by_tag {
                 tagged.insert(name.clone());
             }
-            match cases.iter().any(|(known, _)| *known == name) {
-                false => cases.push((name, case)),
-                true if wanted.by_tag || tagged.contains(&name) => {}
-                true => {
-                    let why = format!("a case '{name}' a second time (allowed: each name once)");
-                    return Err(wanted.asked.refused(why));
-                }
+            if !cases.iter().any(|(known, _)| *known == name) {
+                cases.push((name, case));
+            } else if !wanted.by_tag && !tagged.contains(&name) {
+                let why = format!("a case '{name}' a second time (allowed: each name once)");
+                return Err(wanted.asked.refused(why));
             }
         }
     }

@@ -16,11 +16,14 @@ pub(super) fn check(estimate: &Estimate, threads: usize, yes: bool) -> Result<()
     let available = memory.available.unwrap_or(USUAL).min(USUAL);
     let total = memory.total.unwrap_or(ADDRESSABLE);
     let bytes = estimate.bytes;
-    let (allowed, how) = match yes {
-        false if bytes > available => (available, " without --yes"),
-        true if bytes > total => (total, ", all that this machine has"),
-        _ => return Ok(()),
+    let (allowed, how) = if yes {
+        (total, ", all that this machine has")
+    } else {
+        (available, " without --yes")
     };
+    if bytes <= allowed {
+        return Ok(());
+    }
     Err(Failure::Usage(format!(
         "the study takes about {} of memory and {} (allowed: up to {}{how})",
         size(bytes),

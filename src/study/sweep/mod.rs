@@ -6,6 +6,8 @@
 
 mod estimate;
 mod file;
+#[cfg(test)]
+pub(crate) mod fixture;
 mod journal;
 mod number;
 mod record;

@@ -1,0 +1,5 @@
+mod estimate;
+mod file;
+mod journal;
+mod run;
+mod summary;
