@@ -24,7 +24,9 @@ pub(crate) enum Failure {
         error: io::Error,
     },
     /// The file of a study cannot be read.
-    #[error("{path}: {error} (allowed: a readable text file, as 'volver schema study' describes it)")]
+    #[error(
+        "{path}: {error} (allowed: a readable text file, as 'volver schema study' describes it)"
+    )]
     StudyFile {
         /// The path as given.
         path: String,

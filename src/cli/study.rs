@@ -103,7 +103,11 @@ impl Study {
         let pool = rayon::ThreadPoolBuilder::new().num_threads(threads);
         pool.build_global().map_err(said)?;
         let asking = Asking::new(self.file.as_deref())?;
-        let Formats { formats, swept, bits } = formats::chosen(&asking, &self.formats, self.sweep_bits.as_deref())?;
+        let Formats {
+            formats,
+            swept,
+            bits,
+        } = formats::chosen(&asking, &self.formats, self.sweep_bits.as_deref())?;
         let methods = methods::chosen(&asking, &self.methods)?;
         let levels = levels::chosen(&asking, self.levels.as_deref())?;
         let sweep = Sweep {
@@ -116,7 +120,11 @@ impl Study {
         memory::check(&estimate, threads, self.yes)?;
         self.check_places()?;
         let header = Header::new(&sweep);
-        let lengths: Vec<f64> = sweep.cases.iter().map(|(_, case)| case.length().to_f64()).collect();
+        let lengths: Vec<f64> = sweep
+            .cases
+            .iter()
+            .map(|(_, case)| case.length().to_f64())
+            .collect();
         let units = self.units(&sweep, &header, threads, &estimate)?;
         let results = Results::new(header, bits, units, &lengths, &swept).map_err(said)?;
         self.hand_out(&results)?;
@@ -168,10 +176,14 @@ impl Study {
         }
         .map_err(said)?;
         let bar = Bar::new(estimate.work_units());
-        let is_done = |(name, _): &(String, _), format: &FormatName| journal.has(name, &format.to_string());
+        let is_done =
+            |(name, _): &(String, _), format: &FormatName| journal.has(name, &format.to_string());
         for case in &sweep.cases {
             for format in sweep.formats.iter().filter(|format| is_done(case, format)) {
-                let works = sweep.levels.iter().map(|&n| Estimate::work(sweep, *format, n));
+                let works = sweep
+                    .levels
+                    .iter()
+                    .map(|&n| Estimate::work(sweep, *format, n));
                 bar.skip(works.fold(0, u64::saturating_add));
             }
         }
@@ -195,7 +207,12 @@ impl Study {
             let files = study::write(directory, results)?;
             if self.prints_table() {
                 // The journal is one of them.
-                let _ = writeln!(printed, "{} files in {}", files.len() + 1, directory.display());
+                let _ = writeln!(
+                    printed,
+                    "{} files in {}",
+                    files.len() + 1,
+                    directory.display()
+                );
             }
         }
         if let Some(file) = &self.json {

@@ -89,7 +89,11 @@ impl Asking {
                     directory: None,
                 })
                 .collect();
-            return if names.is_empty() { Err(empty(option.into())) } else { Ok(Some(names)) };
+            return if names.is_empty() {
+                Err(empty(option.into()))
+            } else {
+                Ok(Some(names))
+            };
         }
         let Some(list) = in_file else {
             return Ok(None);
@@ -113,5 +117,8 @@ impl Asking {
 /// The parts between commas, blanks and semicolons.
 pub(super) fn split(text: &str) -> Vec<String> {
     let parts = text.split(|c: char| c == ',' || c == ';' || c.is_whitespace());
-    parts.filter(|part| !part.is_empty()).map(Into::into).collect()
+    parts
+        .filter(|part| !part.is_empty())
+        .map(Into::into)
+        .collect()
 }

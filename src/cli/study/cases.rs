@@ -15,7 +15,10 @@ struct Wanted {
     by_tag: bool,
 }
 
-pub(super) fn chosen(asking: &Asking, given: &[String]) -> Result<Vec<(String, SymbolicCase)>, Failure> {
+pub(super) fn chosen(
+    asking: &Asking,
+    given: &[String],
+) -> Result<Vec<(String, SymbolicCase)>, Failure> {
     let in_file = asking.file.cases.as_ref();
     let asked = asking.names("--cases", given, in_file, "cases", split)?;
     let asked = asked.ok_or_else(|| {

@@ -22,7 +22,13 @@ pub(super) fn chosen(
     given: &[String],
     sweep: Option<&str>,
 ) -> Result<Formats, Failure> {
-    let asked = asking.names("--formats", given, asking.file.formats.as_ref(), "formats", names)?;
+    let asked = asking.names(
+        "--formats",
+        given,
+        asking.file.formats.as_ref(),
+        "formats",
+        names,
+    )?;
     let mut formats = Vec::new();
     for name in asked.into_iter().flatten() {
         let format = FormatName::from_str(&name.text).map_err(|error| name.refused(error))?;
@@ -52,7 +58,10 @@ pub(super) fn chosen(
 }
 
 /// A..B.
-fn sweep_bits(asking: &Asking, given: Option<&str>) -> Result<Option<RangeInclusive<u32>>, Failure> {
+fn sweep_bits(
+    asking: &Asking,
+    given: Option<&str>,
+) -> Result<Option<RangeInclusive<u32>>, Failure> {
     let asked = match (given, &asking.file.sweep_bits) {
         (Some(text), _) => Asked {
             text: text.into(),
@@ -68,7 +77,9 @@ fn sweep_bits(asking: &Asking, given: Option<&str>) -> Result<Option<RangeInclus
     };
     let ends = asked.text.split_once("..").and_then(|(first, last)| {
         let number = |text: &str| text.trim().parse().ok().filter(|bits| SWEEP.contains(bits));
-        number(first).zip(number(last)).filter(|(first, last)| first <= last)
+        number(first)
+            .zip(number(last))
+            .filter(|(first, last)| first <= last)
     });
     let (first, last) = ends.ok_or_else(|| {
         asked.refused(format!(
@@ -103,8 +114,14 @@ mod tests {
 
     #[test]
     fn commas_separate_formats_and_their_parameters() {
-        assert_eq!(names("f32,ieee:11,-14,15,f64"), ["f32", "ieee:11,-14,15", "f64"]);
-        assert_eq!(names("ieee:8,-126,127;mpfr:53 f16"), ["ieee:8,-126,127", "mpfr:53", "f16"]);
+        assert_eq!(
+            names("f32,ieee:11,-14,15,f64"),
+            ["f32", "ieee:11,-14,15", "f64"]
+        );
+        assert_eq!(
+            names("ieee:8,-126,127;mpfr:53 f16"),
+            ["ieee:8,-126,127", "mpfr:53", "f16"]
+        );
         assert!(names(" ,; ").is_empty());
     }
 }

@@ -20,7 +20,8 @@ pub(super) fn chosen(asking: &Asking, given: Option<&str>) -> Result<Vec<u64>, F
             FileLevels::Ladder(text) => asked(text, asking.place(levels)),
             FileLevels::List(list) => {
                 let asked = asked("", asking.place(levels));
-                let ladder = Ladder::segments(list.clone()).map_err(|error| asked.refused(error))?;
+                let ladder =
+                    Ladder::segments(list.clone()).map_err(|error| asked.refused(error))?;
                 return segments(&ladder, &asked);
             }
         },

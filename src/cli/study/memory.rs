@@ -59,7 +59,11 @@ fn size(bytes: f64) -> String {
 }
 
 fn time(seconds: f64) -> String {
-    scaled(seconds, &["s", "min", "h", "days", "years"], &[60.0, 60.0, 24.0, 365.0])
+    scaled(
+        seconds,
+        &["s", "min", "h", "days", "years"],
+        &[60.0, 60.0, 24.0, 365.0],
+    )
 }
 
 /// In the largest unit that there is one of.
@@ -90,11 +94,25 @@ mod tests {
 
     #[test]
     fn what_is_too_large_is_refused_with_its_size() {
-        let huge = Estimate { bytes: 1e15, work: 1e15 };
+        let huge = Estimate {
+            bytes: 1e15,
+            work: 1e15,
+        };
         for yes in [false, true] {
             let said = check(&huge, 2, yes).unwrap_err().to_string();
-            assert!(said.starts_with("the study takes about 909 TiB of memory and "), "{said}");
+            assert!(
+                said.starts_with("the study takes about 909 TiB of memory and "),
+                "{said}"
+            );
         }
-        check(&Estimate { bytes: 1e6, work: 1e15 }, 1, false).unwrap();
+        check(
+            &Estimate {
+                bytes: 1e6,
+                work: 1e15,
+            },
+            1,
+            false,
+        )
+        .unwrap();
     }
 }

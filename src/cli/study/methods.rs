@@ -7,7 +7,11 @@ use volver::method::{Exponential, Inner, Method, Nested, Outer, Scope};
 use volver::quadrature::Rule;
 
 /// One for each of the orders 1, 2 and 4.
-const DEFAULT: [&str; 3] = ["riemann-left/riemann-left", "trapezoid/trapezoid", "simpson/simpson"];
+const DEFAULT: [&str; 3] = [
+    "riemann-left/riemann-left",
+    "trapezoid/trapezoid",
+    "simpson/simpson",
+];
 
 pub(super) fn chosen(asking: &Asking, given: &[String]) -> Result<Vec<Method>, Failure> {
     let in_file = asking.file.methods.as_ref();
@@ -24,7 +28,10 @@ pub(super) fn chosen(asking: &Asking, given: &[String]) -> Result<Vec<Method>, F
     for name in asked.unwrap_or_else(default) {
         let method = method(&name)?;
         if methods.contains(&method) {
-            let why = format!("'{}' a second time (allowed: each method once)", name.shown());
+            let why = format!(
+                "'{}' a second time (allowed: each method once)",
+                name.shown()
+            );
             return Err(name.refused(why));
         }
         methods.push(method);

@@ -85,7 +85,10 @@ fn errors_name_the_value_and_what_is_allowed() {
             "8..4",
             "4 segments after 8 are not allowed (allowed: strictly increasing)",
         ),
-        ("8..64x1", "ratio 1 is not allowed (allowed: 2 to 281474976710656)"),
+        (
+            "8..64x1",
+            "ratio 1 is not allowed (allowed: 2 to 281474976710656)",
+        ),
         (
             "8..6 4",
             "'6 4' in ladder '8..6 4' is not allowed (allowed: 1 to 281474976710656 segments)",
@@ -102,7 +105,10 @@ fn errors_name_the_value_and_what_is_allowed() {
             "8,,16",
             "'' in ladder '8,,16' is not allowed (allowed: 1 to 281474976710656 segments)",
         ),
-        ("0,1", "0 segments are not allowed (allowed: 1 to 281474976710656)"),
+        (
+            "0,1",
+            "0 segments are not allowed (allowed: 1 to 281474976710656)",
+        ),
         (
             "d=0.1,0.1",
             "step 0.1 is not allowed (allowed: finite, above 0, strictly decreasing)",

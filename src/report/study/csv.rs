@@ -37,12 +37,17 @@ pub fn csv(results: &Results) -> Result<String, ReportError> {
             writer.write_record(record(line, level)).map_err(broken)?;
         }
     }
-    let bytes = writer.into_inner().map_err(|error| ReportError::Csv(error.into_error()))?;
+    let bytes = writer
+        .into_inner()
+        .map_err(|error| ReportError::Csv(error.into_error()))?;
     String::from_utf8(bytes).map_err(|error| ReportError::Csv(io::Error::other(error)))
 }
 
 fn record(line: &Line, level: &LevelRecord) -> [String; HEAD.len()] {
-    let number = |x: &Option<Float>| x.as_ref().map_or(String::new(), |x| x.to_string_radix(10, Some(20)));
+    let number = |x: &Option<Float>| {
+        x.as_ref()
+            .map_or(String::new(), |x| x.to_string_radix(10, Some(20)))
+    };
     let reason = match &level.state {
         State::Refused(reason) => reason.clone(),
         _ => String::new(),
@@ -61,7 +66,9 @@ fn record(line: &Line, level: &LevelRecord) -> [String; HEAD.len()] {
         number(&level.arithmetic),
         number(&level.of_depth),
         number(&level.resolution),
-        level.oracle_bits.map_or(String::new(), |bits| bits.to_string()),
+        level
+            .oracle_bits
+            .map_or(String::new(), |bits| bits.to_string()),
         reason,
     ]
 }

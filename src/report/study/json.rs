@@ -1,9 +1,9 @@
 //! Everything but the levels, for programs.
 
 use crate::convergence::Fit;
+use crate::convergence::{Laws, serialize_float};
 use crate::report::ReportError;
 use crate::study::sweep::{Bits, Line, Results, State, Theory};
-use crate::convergence::{Laws, serialize_float};
 use rug::Float;
 use serde::Serialize;
 use std::collections::BTreeMap;
@@ -61,11 +61,18 @@ pub fn json(results: &Results) -> Result<String, ReportError> {
     let document = Document {
         volver: env!("CARGO_PKG_VERSION"),
         settings: Settings {
-            cases: header.cases.iter().map(|[name, ..]| name.as_str()).collect(),
+            cases: header
+                .cases
+                .iter()
+                .map(|[name, ..]| name.as_str())
+                .collect(),
             methods: &header.methods,
             formats: &header.formats,
             levels: &header.levels,
-            sweep_bits: results.sweep_bits.as_ref().map(|bits| [*bits.start(), *bits.end()]),
+            sweep_bits: results
+                .sweep_bits
+                .as_ref()
+                .map(|bits| [*bits.start(), *bits.end()]),
         },
         rows: results.lines.iter().map(row).collect(),
     };

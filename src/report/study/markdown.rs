@@ -16,9 +16,17 @@ pub fn markdown(results: &Results) -> String {
 
 fn document(results: &Results, text: &mut String) -> fmt::Result {
     let header = &results.header;
-    writeln!(text, "# A study of errors\n\n{}.\n", escape(&summary(results)))?;
+    writeln!(
+        text,
+        "# A study of errors\n\n{}.\n",
+        escape(&summary(results))
+    )?;
     writeln!(text, "| run | |\n|---|---|")?;
-    let names: Vec<&str> = header.cases.iter().map(|[name, ..]| name.as_str()).collect();
+    let names: Vec<&str> = header
+        .cases
+        .iter()
+        .map(|[name, ..]| name.as_str())
+        .collect();
     let levels: Vec<String> = header.levels.iter().map(ToString::to_string).collect();
     let mut formats: Vec<&str> = Vec::new();
     for line in results.lines.iter().filter(|line| !line.swept) {
@@ -39,9 +47,21 @@ fn document(results: &Results, text: &mut String) -> fmt::Result {
         writeln!(text, "| swept bits | {} … {} |", bits.start(), bits.end())?;
     }
     writeln!(text)?;
-    for Figure { file, case, method, lines, is_map } in figures(results) {
+    for Figure {
+        file,
+        case,
+        method,
+        lines,
+        is_map,
+    } in figures(results)
+    {
         if is_map {
-            writeln!(text, "## {}, {}: correct digits\n", escape(case), escape(method))?;
+            writeln!(
+                text,
+                "## {}, {}: correct digits\n",
+                escape(case),
+                escape(method)
+            )?;
             writeln!(text, "![Correct digits over n and bits]({file})\n")?;
             continue;
         }
@@ -65,17 +85,25 @@ fn document(results: &Results, text: &mut String) -> fmt::Result {
 
 fn table(lines: &[&Line], text: &mut String) -> fmt::Result {
     if let Some(line) = lines.first() {
-        writeln!(text, "Order that theory expects: {}.\n", theory(line.row.expected))?;
+        writeln!(
+            text,
+            "Order that theory expects: {}.\n",
+            theory(line.row.expected)
+        )?;
     }
     writeln!(
         text,
         "| format | discretization | total | q arithmetic | q input | n\\* | best | bits for {} |",
-        crate::study::sweep::TOLERANCES.map(|t| format!("{t:e}")).join(", ")
+        crate::study::sweep::TOLERANCES
+            .map(|t| format!("{t:e}"))
+            .join(", ")
     )?;
     writeln!(text, "|---|---|---|---|---|---|---|---|")?;
     for line in lines {
         let summary = &line.summary;
-        let bits = summary.bits_needed.map(|b| b.bits.map_or("-".into(), |bits| bits.to_string()));
+        let bits = summary
+            .bits_needed
+            .map(|b| b.bits.map_or("-".into(), |bits| bits.to_string()));
         writeln!(
             text,
             "| {} | {} {} | {} {} | {} | {} | {} | {} | {} |",
@@ -98,7 +126,10 @@ fn table(lines: &[&Line], text: &mut String) -> fmt::Result {
 fn escape(text: &str) -> String {
     let mut escaped = String::new();
     for c in text.chars() {
-        if matches!(c, '|' | '*' | '_' | '`' | '[' | ']' | '<' | '>' | '\\' | '#') {
+        if matches!(
+            c,
+            '|' | '*' | '_' | '`' | '[' | ']' | '<' | '>' | '\\' | '#'
+        ) {
             escaped.push('\\');
         }
         escaped.push(if c.is_control() { ' ' } else { c });

@@ -39,7 +39,14 @@ pub fn write(dir: &Path, results: &Results) -> Result<Vec<PathBuf>, ReportError>
         paths.push(path);
         Ok(())
     };
-    for Figure { file, case, method, lines, is_map } in names::figures(results) {
+    for Figure {
+        file,
+        case,
+        method,
+        lines,
+        is_map,
+    } in names::figures(results)
+    {
         let title = format!("{case}, {method}");
         let figure = if is_map {
             svg::digits_plot(&title, &lines)?

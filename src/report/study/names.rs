@@ -61,7 +61,10 @@ mod tests {
     #[test]
     fn names_are_safe_for_every_file_system() {
         assert_eq!(safe("rgb-transfer/red"), "rgb-transfer-red");
-        assert_eq!(safe("trapezoid × simpson, linear exponential"), "trapezoid-simpson-linear-exponential");
+        assert_eq!(
+            safe("trapezoid × simpson, linear exponential"),
+            "trapezoid-simpson-linear-exponential"
+        );
         assert_eq!(safe("../Ä:*x "), "x");
         assert_eq!(safe(&"a/".repeat(200)).len(), 99);
     }

@@ -21,7 +21,10 @@ fn odd() -> Results {
         oracle_bits: None,
         n: level.n,
     };
-    levels[0] = blank(&levels[0], State::Refused("n = 8 does not suit, \"really\"".into()));
+    levels[0] = blank(
+        &levels[0],
+        State::Refused("n = 8 does not suit, \"really\"".into()),
+    );
     levels[1] = blank(&levels[1], State::NotFinite);
     results
 }
@@ -36,19 +39,34 @@ fn the_table_has_every_figure_in_80_columns() {
         assert!(line.contains(figure), "{figure}: {line}");
     }
     assert!(text.contains("! f32: n = 16: NotFinite"), "{text}");
-    assert!(text.contains("! f32: n = 8: Refused: n = 8 does not suit"), "{text}");
+    assert!(
+        text.contains("! f32: n = 8: Refused: n = 8 does not suit"),
+        "{text}"
+    );
     assert!(!text.contains("mpfr:10"), "{text}");
-    assert!(text.ends_with("\n1 line, discretization: 1 Confirmed\n"), "{text}");
-    assert!(text.lines().all(|line| line.chars().count() <= 80), "{text}");
+    assert!(
+        text.ends_with("\n1 line, discretization: 1 Confirmed\n"),
+        "{text}"
+    );
+    assert!(
+        text.lines().all(|line| line.chars().count() <= 80),
+        "{text}"
+    );
 }
 
 #[test]
 fn a_narrow_terminal_and_colour_change_no_figure() {
     let narrow = text(&odd(), 60, false);
-    assert!(narrow.lines().all(|line| line.chars().count() <= 60), "{narrow}");
+    assert!(
+        narrow.lines().all(|line| line.chars().count() <= 60),
+        "{narrow}"
+    );
     assert!(narrow.contains("0.50 ± 0.00"), "{narrow}");
     let mut colored = text(&odd(), 80, true);
-    assert!(colored.contains("\u{1b}[32m2.0000 ± 0.0000 Confirmed\u{1b}[0m"), "{colored}");
+    assert!(
+        colored.contains("\u{1b}[32m2.0000 ± 0.0000 Confirmed\u{1b}[0m"),
+        "{colored}"
+    );
     for code in [0, 1, 2, 31, 32, 33] {
         colored = colored.replace(&format!("\u{1b}[{code}m"), "");
     }
@@ -64,7 +82,10 @@ fn csv_has_a_line_a_level_whatever_the_reason_says() {
     let records: Vec<_> = reader.records().map(Result::unwrap).collect();
     assert_eq!(records.len(), 4 * 10);
     assert_eq!(&records[0][at("reason")], "n = 8 does not suit, \"really\"");
-    assert_eq!((&records[0][at("state")], &records[0][at("total")]), ("refused", ""));
+    assert_eq!(
+        (&records[0][at("state")], &records[0][at("total")]),
+        ("refused", "")
+    );
     assert_eq!(&records[1][at("state")], "not-finite");
     let n: u64 = records[9][at("n")].parse().unwrap();
     let part: f64 = records[9][at("discretization")].parse().unwrap();
@@ -74,7 +95,10 @@ fn csv_has_a_line_a_level_whatever_the_reason_says() {
 #[test]
 fn json_has_settings_and_summaries() {
     let document: Value = serde_json::from_str(&json(&odd()).unwrap()).unwrap();
-    assert_eq!(document["settings"]["sweep_bits"], serde_json::json!([10, 12]));
+    assert_eq!(
+        document["settings"]["sweep_bits"],
+        serde_json::json!([10, 12])
+    );
     assert_eq!(document["settings"]["levels"][9], 4096);
     let row = &document["rows"][0];
     assert_eq!(row["expected"]["order"], 2.0);
@@ -88,15 +112,26 @@ fn json_has_settings_and_summaries() {
 
 #[test]
 fn latex_and_markdown_escape_what_they_must() {
-    assert_eq!(escape("a_b & 50% {x} \\ ^ ~ ± × é"), "a\\_b \\& 50\\% \\{x\\} \\textbackslash{} \\textasciicircum{} \\textasciitilde{} $\\pm$ $\\times$ ?");
+    assert_eq!(
+        escape("a_b & 50% {x} \\ ^ ~ ± × é"),
+        "a\\_b \\& 50\\% \\{x\\} \\textbackslash{} \\textasciicircum{} \\textasciitilde{} $\\pm$ $\\times$ ?"
+    );
     let table = latex(&odd());
-    assert!(table.contains("\nmade-up & a $\\times$ b & f32 & 2.0000 $\\pm$ 0.0000 & 2 & 0.50 $\\pm$ 0.00 & - & "), "{table}");
+    assert!(
+        table.contains(
+            "\nmade-up & a $\\times$ b & f32 & 2.0000 $\\pm$ 0.0000 & 2 & 0.50 $\\pm$ 0.00 & - & "
+        ),
+        "{table}"
+    );
     // Every row has as many cells as there are columns.
     for row in table.lines().filter(|line| line.ends_with("\\\\")) {
         assert_eq!(row.matches(" & ").count(), 8, "{row}");
     }
     let document = markdown(&odd());
-    assert!(document.contains("![The parts of the error against n](parts-made-up-a-b.svg)"), "{document}");
+    assert!(
+        document.contains("![The parts of the error against n](parts-made-up-a-b.svg)"),
+        "{document}"
+    );
     assert!(document.contains("(digits-made-up-a-b.svg)"));
     for row in document.lines().filter(|line| line.starts_with("| f32")) {
         assert_eq!(row.matches('|').count(), 9, "{row}");
@@ -107,17 +142,36 @@ fn latex_and_markdown_escape_what_they_must() {
 fn a_directory_gets_everything_twice_the_same() {
     let directory = tempfile::tempdir().unwrap();
     let paths = write(directory.path(), &odd()).unwrap();
-    let read = || paths.iter().map(|path| fs::read_to_string(path).unwrap()).collect::<Vec<_>>();
+    let read = || {
+        paths
+            .iter()
+            .map(|path| fs::read_to_string(path).unwrap())
+            .collect::<Vec<_>>()
+    };
     let before = read();
     write(directory.path(), &odd()).unwrap();
     assert_eq!(before, read());
-    let names: Vec<_> = paths.iter().map(|path| path.file_name().unwrap().to_str().unwrap()).collect();
+    let names: Vec<_> = paths
+        .iter()
+        .map(|path| path.file_name().unwrap().to_str().unwrap())
+        .collect();
     assert_eq!(
         names,
-        ["parts-made-up-a-b.svg", "digits-made-up-a-b.svg", "study.csv", "study.json", "study.tex", "study.md"]
+        [
+            "parts-made-up-a-b.svg",
+            "digits-made-up-a-b.svg",
+            "study.csv",
+            "study.json",
+            "study.tex",
+            "study.md"
+        ]
     );
     // One panel; n* and the least error beside the line; a map with a cell a level and format.
-    assert!(before[0].contains("n* = 3") && before[0].contains("best "), "{}", before[0]);
+    assert!(
+        before[0].contains("n* = 3") && before[0].contains("best "),
+        "{}",
+        before[0]
+    );
     assert!(before[1].matches("<polygon").count() > 30);
     assert!(before[1].contains("correct decimal digits"));
 }

@@ -23,7 +23,11 @@ pub fn text(results: &Results, width: usize, color: bool) -> String {
     let page = Page {
         width,
         color,
-        format: formats.map(|line| line.format.chars().count()).max().unwrap_or(0).max(6),
+        format: formats
+            .map(|line| line.format.chars().count())
+            .max()
+            .unwrap_or(0)
+            .max(6),
     };
     let mut text = String::new();
     for (case, method, lines) in results.groups() {
@@ -90,11 +94,18 @@ impl Page {
         let of = |fit: &Fit, good: bool| {
             let figure = figure(fit);
             let padding = " ".repeat(width.saturating_sub(figure.chars().count()));
-            format!("  {}{padding}", self.paint(&figure, style(fit.verdict, good)))
+            format!(
+                "  {}{padding}",
+                self.paint(&figure, style(fit.verdict, good))
+            )
         };
         let mut first = format!("  {:<1$}", line.format, self.format);
         first += &of(&summary.discretization, line.contradicts_theory());
-        let cells = [exponent(summary.laws.arithmetic), crossing(line), best(line)];
+        let cells = [
+            exponent(summary.laws.arithmetic),
+            crossing(line),
+            best(line),
+        ];
         for (text, (_, width)) in cells.iter().zip(&HEAD[1..]) {
             first += &cell(text, *width, false);
         }
@@ -141,7 +152,11 @@ fn figure(fit: &Fit) -> String {
 }
 
 fn cell(text: &str, width: usize, left: bool) -> String {
-    if left { format!("  {text:<width$}") } else { format!("  {text:>width$}") }
+    if left {
+        format!("  {text:<width$}")
+    } else {
+        format!("  {text:>width$}")
+    }
 }
 
 fn style(verdict: Verdict, contradicts: bool) -> Style {

@@ -16,9 +16,10 @@ pub(in crate::report) const PARTS: [(Part, &str); 5] = [
     (Part::Arithmetic, "arithmetic rounding"),
 ];
 
-/// "2.003 ± 0.021"; nothing where no window gave an interval.
+/// "2.003 ± 0.021"; without a window the last pair's order, which has no interval: "~2.00".
 pub(super) fn order(fit: &Fit) -> String {
     match (fit.order, fit.half_width) {
+        (Some(order), _) if fit.window.is_none() => format!("~{order:.2}"),
         (Some(order), Some(half_width)) if half_width < 0.0005 => {
             format!("{order:.4} ± {half_width:.4}")
         }
@@ -39,27 +40,39 @@ pub(super) fn theory(theory: Theory) -> String {
 
 /// "0.52 ± 0.11".
 pub(super) fn exponent(law: Option<RoundoffLaw>) -> String {
-    law.map_or(NONE.into(), |law| format!("{:.2} ± {:.2}", law.exponent, law.half_width))
+    law.map_or(NONE.into(), |law| {
+        format!("{:.2} ± {:.2}", law.exponent, law.half_width)
+    })
 }
 
 /// n*, to the digits it means.
 pub(in crate::report) fn crossing(line: &Line) -> String {
     line.summary.crossing.map_or(NONE.into(), |n| {
-        if n < 1e6 { format!("{n:.0}") } else { format!("{n:.1e}") }
+        if n < 1e4 {
+            format!("{n:.0}")
+        } else {
+            format!("{n:.1e}")
+        }
     })
 }
 
 /// The least error that can be reached: "3.2e-8".
 pub(in crate::report) fn best(line: &Line) -> String {
     let best = line.summary.best;
-    best.map_or(NONE.into(), |best| scientific(&Float::with_val(64, best.log2_error).exp2()))
+    best.map_or(NONE.into(), |best| {
+        scientific(&Float::with_val(64, best.log2_error).exp2())
+    })
 }
 
 /// Two digits of a number of any magnitude.
 pub(super) fn scientific(x: &Float) -> String {
     let narrow = x.to_f64();
     if narrow == 0.0 || narrow.is_subnormal() || !narrow.is_finite() {
-        return if x.is_zero() { "0".into() } else { x.to_string_radix(10, Some(2)) };
+        return if x.is_zero() {
+            "0".into()
+        } else {
+            x.to_string_radix(10, Some(2))
+        };
     }
     format!("{narrow:.1e}")
 }
@@ -69,8 +82,14 @@ pub(super) fn warnings(line: &Line) -> Vec<String> {
     let mut warnings = Vec::new();
     for (state, words) in [
         (State::NotFinite, "NotFinite: NaN or ∞"),
-        (State::BranchDiverged, "BranchDiverged: the run stood on another side of a jump than in MPFR, its error is not split"),
-        (State::Unsettled, "Unsettled: more bits went on changing a part, its error is not split"),
+        (
+            State::BranchDiverged,
+            "BranchDiverged: the run stood on another side of a jump than in MPFR, its error is not split",
+        ),
+        (
+            State::Unsettled,
+            "Unsettled: more bits went on changing a part, its error is not split",
+        ),
     ] {
         let levels = levels(line, |found| *found == state);
         if !levels.is_empty() {
@@ -105,7 +124,9 @@ fn levels(line: &Line, of: impl Fn(&State) -> bool) -> String {
     let levels = line.row.levels.iter().filter(|level| of(&level.state));
     let levels: Vec<String> = levels.map(|level| level.n.to_string()).collect();
     match &levels[..] {
-        [first, .., last] if levels.len() > 4 => format!("{first} … {last} ({} levels)", levels.len()),
+        [first, .., last] if levels.len() > 4 => {
+            format!("{first} … {last} ({} levels)", levels.len())
+        }
         _ => levels.join(", "),
     }
 }
@@ -124,7 +145,10 @@ pub(super) fn summary(results: &Results) -> String {
         }
     }
     counts.sort_by_key(|(_, count)| std::cmp::Reverse(*count));
-    let counts: Vec<String> = counts.iter().map(|(v, count)| format!("{count} {v}")).collect();
+    let counts: Vec<String> = counts
+        .iter()
+        .map(|(v, count)| format!("{count} {v}"))
+        .collect();
     let lines = if all == 1 { "line" } else { "lines" };
     if counts.is_empty() {
         return format!("{all} {lines}");
@@ -136,7 +160,7 @@ pub(super) fn summary(results: &Results) -> String {
 pub(super) const LEGEND: [(&str, &str); 6] = [
     (
         "discretization",
-        "order of Q∞ − I, where Q∞ is the method without rounding, with its interval and verdict on theory",
+        "order of Q∞ − I, where Q∞ is the method without rounding, with its interval and verdict on theory; ~ is the last pair's, without an interval",
     ),
     (
         "total",
@@ -146,7 +170,16 @@ pub(super) const LEGEND: [(&str, &str); 6] = [
         "q arithmetic",
         "arithmetic rounding grows as n^q, with its 95 % interval: 1/2 a random walk, 1 a bias",
     ),
-    ("q input", "the same of the rounding of C, τ and s: -1/2 independent errors, 0 a bias"),
-    ("n*", "from there on roundoff is larger than discretization, by the fitted model"),
-    ("best", "the least error that any n reaches in the format, by the fitted model"),
+    (
+        "q input",
+        "the same of the rounding of C, τ and s: -1/2 independent errors, 0 a bias",
+    ),
+    (
+        "n*",
+        "from there on roundoff is larger than discretization, by the fitted model",
+    ),
+    (
+        "best",
+        "the least error that any n reaches in the format, by the fitted model",
+    ),
 ];

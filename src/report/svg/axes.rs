@@ -24,7 +24,9 @@ pub(super) struct Axes {
 pub(super) fn axes(panel: &Panel, plot: Area) -> Option<Axes> {
     let marks = || panel.curves.iter().flat_map(Curve::marks);
     let models = panel.models.iter().flat_map(|model| &model.path);
-    let xs = marks().map(|mark| mark.x).chain(models.map(|place| place.0));
+    let xs = marks()
+        .map(|mark| mark.x)
+        .chain(models.map(|place| place.0));
     let x_range = range(xs, 0.35, 1.0)?;
     let lowest = marks().map(|mark| mark.y).fold(f64::INFINITY, f64::min) - BIAS_DECADES;
     let biases = panel.curves.iter().flat_map(|c| c.bias.iter().map(|b| b.1));

@@ -24,6 +24,7 @@ const MAP_WIDTH: f64 = 640.0;
 const MAP_HEIGHT: f64 = 560.0;
 const CELL_WIDTHS: (f64, f64) = (12.0, 56.0);
 const CELL_HEIGHTS: (f64, f64) = (12.0, 30.0);
+const SEAM: f64 = 1.0;
 const FIGURE_SIZE: f64 = 9.0;
 /// Fewest pixels for the title.
 const LEAST_WIDTH: f64 = 420.0;
@@ -33,11 +34,16 @@ pub(super) fn figure(title: &str, lines: &[&Line]) -> Result<String, ReportError
     let levels: Vec<u64> = lines.first().map_or(Vec::new(), |line| {
         line.row.levels.iter().map(|level| level.n).collect()
     });
-    let size = |room: f64, count: usize, (least, most): (f64, f64)| (room / count.max(1) as f64).clamp(least, most);
+    let size = |room: f64, count: usize, (least, most): (f64, f64)| {
+        (room / count.max(1) as f64).clamp(least, most)
+    };
     let map = Map {
         lines,
         levels: &levels,
-        cell: (size(MAP_WIDTH, levels.len(), CELL_WIDTHS), size(MAP_HEIGHT, lines.len(), CELL_HEIGHTS)),
+        cell: (
+            size(MAP_WIDTH, levels.len(), CELL_WIDTHS),
+            size(MAP_HEIGHT, lines.len(), CELL_HEIGHTS),
+        ),
         most: most_digits(lines),
     };
     let plot = Area {
@@ -47,12 +53,19 @@ pub(super) fn figure(title: &str, lines: &[&Line]) -> Result<String, ReportError
         bottom: TITLE_HEIGHT + map.cell.1 * lines.len() as f64,
     };
     let title_width = 14.0 + text_width(title, 15.0);
-    let width = (plot.right + RIGHT).max(LEAST_WIDTH).max(title_width).ceil();
+    let width = (plot.right + RIGHT)
+        .max(LEAST_WIDTH)
+        .max(title_width)
+        .ceil();
     let height = (plot.bottom + BOTTOM).ceil();
     canvas::draw(title, (width, height), |canvas| {
         let corners = [(0.0, 0.0), (width, 0.0), (width, height), (0.0, height)];
         canvas.polygon(&corners, WHITE);
-        canvas.text(title, (14.0, TITLE_HEIGHT / 2.0), letters(15.0, true, HPos::Left));
+        canvas.text(
+            title,
+            (14.0, TITLE_HEIGHT / 2.0),
+            letters(15.0, true, HPos::Left),
+        );
         map.cells(canvas, plot);
         map.axes(canvas, plot);
         map.bar(canvas, plot);
@@ -61,7 +74,12 @@ pub(super) fn figure(title: &str, lines: &[&Line]) -> Result<String, ReportError
 
 /// The largest number of digits, and at least one.
 fn most_digits(lines: &[&Line]) -> f64 {
-    let digits = lines.iter().flat_map(|line| line.row.levels.iter().filter_map(|level| line.digits(level)));
+    let digits = lines.iter().flat_map(|line| {
+        line.row
+            .levels
+            .iter()
+            .filter_map(|level| line.digits(level))
+    });
     digits.fold(1.0, f64::max).ceil()
 }
 
@@ -83,8 +101,12 @@ impl Map<'_> {
                 let digits = line.digits(level);
                 let color = digits.map_or(MISSING, |digits| of_share(digits / self.most));
                 // A little too large: viewers leave seams between neighbours otherwise.
-                let (right, top) = (left + width + 0.3, bottom - height - 0.3);
-                canvas.polygon(&[(left, bottom), (right, bottom), (right, top), (left, top)], color);
+                let right = (left + width + SEAM).min(plot.right);
+                let top = (bottom - height - SEAM).max(plot.top);
+                canvas.polygon(
+                    &[(left, bottom), (right, bottom), (right, top), (left, top)],
+                    color,
+                );
                 let figure = digits.map_or("–".to_string(), |digits| format!("{digits:.1}"));
                 if text_width(&figure, FIGURE_SIZE) + 2.0 <= width && FIGURE_SIZE + 2.0 <= height {
                     let at = (left + width / 2.0, bottom - height / 2.0);
@@ -101,7 +123,12 @@ impl Map<'_> {
         let centers: Vec<(f64, f64)> = names
             .iter()
             .enumerate()
-            .map(|(i, name)| (plot.left + (i as f64 + 0.5) * self.cell.0, text_width(name, TICK_SIZE)))
+            .map(|(i, name)| {
+                (
+                    plot.left + (i as f64 + 0.5) * self.cell.0,
+                    text_width(name, TICK_SIZE),
+                )
+            })
             .collect();
         for index in apart(&centers, 4.0) {
             let at = (centers[index].0, plot.bottom + 12.0);
@@ -133,9 +160,12 @@ impl Map<'_> {
         for step in 0..BAR_STEPS {
             let share = (f64::from(step) + 0.5) / steps;
             let bottom = scale.pixel(self.most * f64::from(step) / steps);
-            let top = scale.pixel(self.most * f64::from(step + 1) / steps) - 0.3;
+            let top = scale.pixel(self.most * f64::from(step + 1) / steps) - SEAM;
             let top = top.max(plot.top);
-            canvas.polygon(&[(left, bottom), (right, bottom), (right, top), (left, top)], of_share(share));
+            canvas.polygon(
+                &[(left, bottom), (right, bottom), (right, top), (left, top)],
+                of_share(share),
+            );
         }
         let room = (plot.bottom - plot.top) / (TICK_SIZE + 4.0);
         let mut most = 2;
@@ -145,7 +175,11 @@ impl Map<'_> {
         for digits in whole_ticks((0.0, self.most), usize::try_from(most).unwrap_or(2)) {
             let y = scale.pixel(digits);
             canvas.path(&[(right, y), (right + 4.0, y)], AXIS);
-            canvas.text(&format!("{digits:.0}"), (right + 7.0, y), letters(TICK_SIZE, false, HPos::Left));
+            canvas.text(
+                &format!("{digits:.0}"),
+                (right + 7.0, y),
+                letters(TICK_SIZE, false, HPos::Left),
+            );
         }
         let beside = (right + 34.0, f64::midpoint(plot.top, plot.bottom));
         let upwards = Letters {

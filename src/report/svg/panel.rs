@@ -53,7 +53,10 @@ pub(super) fn draw(canvas: &mut Canvas<'_>, panel: &Panel, cell: &Area, lines: u
         }
     }
     for model in &panel.models {
-        let stroke = Stroke { color: color(model.color), ..MODEL };
+        let stroke = Stroke {
+            color: color(model.color),
+            ..MODEL
+        };
         for (from, to) in axes.inside(&axes.path(&model.path)) {
             canvas.path(&[from, to], stroke);
         }
@@ -61,9 +64,16 @@ pub(super) fn draw(canvas: &mut Canvas<'_>, panel: &Panel, cell: &Area, lines: u
     for (index, curve) in panel.curves.iter().enumerate() {
         draw_curve(canvas, curve, index, &axes);
     }
-    slopes::draw(canvas, panel, &axes);
-    if let Some(guide) = &panel.guide {
-        guide::draw(canvas, guide, &axes);
+    let words = panel
+        .guide
+        .as_ref()
+        .map(|guide| (guide, guide::place(guide, panel, &axes)));
+    let taken = words
+        .as_ref()
+        .map_or(Vec::new(), |(_, words)| words.points());
+    slopes::draw(canvas, panel, &axes, taken);
+    if let Some((guide, words)) = &words {
+        guide::draw(canvas, guide, words, &axes);
     }
 }
 

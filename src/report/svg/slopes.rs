@@ -11,9 +11,9 @@ use plotters::style::text_anchor::HPos;
 /// Orders closer than this share a triangle.
 const SAME_ORDER: f64 = 0.05;
 
-/// One triangle for every distinct order, steepest first: those have the fewest places.
-pub(super) fn draw(canvas: &mut Canvas<'_>, panel: &Panel, axes: &Axes) {
-    let mut obstacles = Vec::new();
+/// One triangle for every distinct order, steepest first: those have the fewest places. None covers the
+/// curves or the `obstacles`.
+pub(super) fn draw(canvas: &mut Canvas<'_>, panel: &Panel, axes: &Axes, mut obstacles: Vec<Point>) {
     for curve in &panel.curves {
         for path in axes.unbroken(curve) {
             obstacles.extend(points_along(&path));

@@ -17,11 +17,23 @@ pub(super) fn panels(lines: &[&Line]) -> Vec<Panel> {
 }
 
 fn panel(line: &Line) -> Panel {
-    let levels: Vec<u64> = line.row.levels.iter().map(|level| level.n).filter(|n| *n > 0).collect();
-    let curves = PARTS.iter().filter_map(|(part, name)| curve(line, *part, name));
+    let levels: Vec<u64> = line
+        .row
+        .levels
+        .iter()
+        .map(|level| level.n)
+        .filter(|n| *n > 0)
+        .collect();
+    let curves = PARTS
+        .iter()
+        .filter_map(|(part, name)| curve(line, *part, name));
     let first = levels.first().map_or(0.0, |n| (*n as f64).log2());
     let last = levels.last().map_or(0.0, |n| (*n as f64).log2());
-    let crossing_x = line.summary.crossing.map(f64::log2).filter(|x| *x <= last + BEYOND);
+    let crossing_x = line
+        .summary
+        .crossing
+        .map(f64::log2)
+        .filter(|x| *x <= last + BEYOND);
     let end = crossing_x.map_or(last, |x| last.max(x + 0.5));
     Panel {
         title: line.format.clone(),
@@ -55,7 +67,8 @@ fn curve(line: &Line, part: Part, name: &str) -> Option<Curve> {
     let in_fit = |n: u64| match fit.map(|fit| fit.window) {
         None => true,
         Some(window) => window.is_some_and(|window| {
-            window.coarsest_n.is_some_and(|first| first <= n) && window.finest_n.is_some_and(|last| n <= last)
+            window.coarsest_n.is_some_and(|first| first <= n)
+                && window.finest_n.is_some_and(|last| n <= last)
         }),
     };
     let marks: Vec<Option<Mark>> = line

@@ -16,11 +16,11 @@ pub struct Estimate {
 
 /// Seconds that a unit of work takes on one core, roughly: most of it is the oracle's, whose precision is
 /// bounded below.
-const SECONDS: f64 = 1.5e-6;
+const SECONDS: f64 = 5e-6;
 /// Bytes a number takes beside its digits: the header and the allocation of an MPFR number.
 const HEADER_BYTES: f64 = 48.0;
 /// s, C and τ, kept by place and in a column.
-const NUMBERS_A_NODE: f64 = 6.0;
+const NUMBERS_A_NODE: f64 = 8.0;
 /// For each number at a node some more for depths and transmittances of every inner rule.
 const NUMBERS_A_SEGMENT: f64 = 2.0;
 

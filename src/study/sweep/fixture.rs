@@ -56,9 +56,14 @@ pub(crate) fn unit(format: &str, bits: u32) -> Unit {
 
 /// Binary32, and a sweep over 10 to 12 bits.
 pub(crate) fn results() -> Results {
-    let units: Vec<Unit> = [("f32", 24), ("mpfr:10", 10), ("mpfr:11", 11), ("mpfr:12", 12)]
-        .map(|(name, bits)| unit(name, bits))
-        .into();
+    let units: Vec<Unit> = [
+        ("f32", 24),
+        ("mpfr:10", 10),
+        ("mpfr:11", 11),
+        ("mpfr:12", 12),
+    ]
+    .map(|(name, bits)| unit(name, bits))
+    .into();
     let header = Header {
         volver: "0".into(),
         cases: vec![["made-up", "1", "lambda", "1", "s"].map(String::from)],
@@ -86,8 +91,13 @@ pub(crate) fn sweep() -> Sweep {
         })
     };
     Sweep {
-        cases: ["sine-squared", "homogeneous"].map(|name| (name.into(), case(name))).into(),
-        methods: vec![method(Rule::Trapezoid, Rule::Trapezoid), method(Rule::Simpson, Rule::Boole)],
+        cases: ["sine-squared", "homogeneous"]
+            .map(|name| (name.into(), case(name)))
+            .into(),
+        methods: vec![
+            method(Rule::Trapezoid, Rule::Trapezoid),
+            method(Rule::Simpson, Rule::Boole),
+        ],
         formats: vec![FormatName::F32, FormatName::Mpfr(70)],
         levels: vec![2, 4, 8, 16],
     }

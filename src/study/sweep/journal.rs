@@ -199,7 +199,9 @@ fn read(path: &Path, file: &mut File, header: &Header) -> Result<(Vec<Unit>, u64
         if bytes.last() != Some(&b'\n') {
             // The end, or a line that was cut off; a file of something else is not for us to cut.
             if number == 1 && !line(header).as_bytes().starts_with(&bytes) {
-                return Err(JournalError::NoHeader { path: path.display().to_string() });
+                return Err(JournalError::NoHeader {
+                    path: path.display().to_string(),
+                });
             }
             break;
         }

@@ -53,7 +53,10 @@ impl Results {
     ) -> Result<Results, FitError> {
         let mut lines = Vec::new();
         for unit in units {
-            let case = header.cases.iter().position(|[name, ..]| *name == unit.case);
+            let case = header
+                .cases
+                .iter()
+                .position(|[name, ..]| *name == unit.case);
             let length = case.and_then(|i| lengths.get(i)).copied().unwrap_or(1.0);
             let format = header.formats.iter().position(|name| *name == unit.format);
             let swept = format.and_then(|i| swept.get(i)).copied().unwrap_or(false);
@@ -83,7 +86,9 @@ impl Results {
 
     /// Every case with every method, with the lines of the sweep over bits, few to many.
     pub fn maps(&self) -> impl Iterator<Item = (&str, &str, Vec<&Line>)> {
-        let pairs = self.pairs(|line| self.sweep_bits.is_some() && line.format == format!("mpfr:{}", line.bits));
+        let pairs = self.pairs(|line| {
+            self.sweep_bits.is_some() && line.format == format!("mpfr:{}", line.bits)
+        });
         pairs.map(|(case, method, mut lines)| {
             let bits = self.sweep_bits.clone();
             lines.retain(|line| bits.as_ref().is_some_and(|bits| bits.contains(&line.bits)));
@@ -98,8 +103,13 @@ impl Results {
     ) -> impl Iterator<Item = (&'r str, &'r str, Vec<&'r Line>)> {
         self.header.cases.iter().flat_map(move |[case, ..]| {
             self.header.methods.iter().map(move |method| {
-                let of = |line: &&Line| line.case == *case && line.row.method == *method && keep(line);
-                (case.as_str(), method.as_str(), self.lines.iter().filter(of).collect())
+                let of =
+                    |line: &&Line| line.case == *case && line.row.method == *method && keep(line);
+                (
+                    case.as_str(),
+                    method.as_str(),
+                    self.lines.iter().filter(of).collect(),
+                )
             })
         })
     }

@@ -16,7 +16,9 @@ fn every_key_is_read_with_its_line() {
     assert_eq!(formats.get_ref()[1].get_ref(), "ieee:11,-14,15");
     assert_eq!(StudyFile::line(EXAMPLE, &formats.get_ref()[1].span()), 3);
     assert_eq!(file.sweep_bits.unwrap().get_ref(), "4..53");
-    assert!(matches!(file.levels.unwrap().get_ref(), FileLevels::Ladder(text) if text == "8..4096"));
+    assert!(
+        matches!(file.levels.unwrap().get_ref(), FileLevels::Ladder(text) if text == "8..4096")
+    );
     let list = StudyFile::read("levels = [8, 16]").unwrap().levels.unwrap();
     assert!(matches!(list.get_ref(), FileLevels::List(list) if list == &[8, 16]));
     assert!(StudyFile::read("").unwrap().cases.is_none());
@@ -47,13 +49,26 @@ fn what_is_wrong_is_named_with_line_and_what_is_allowed() {
     ] {
         assert_eq!(StudyFile::read(text).unwrap_err().to_string(), message, "{text}");
     }
-    for text in ["cases = [\"a\"\nlevels", "levels = \"8\"\nlevels = \"9\"", "cases = \"\u{1}\"", "[[["] {
+    for text in [
+        "cases = [\"a\"\nlevels",
+        "levels = \"8\"\nlevels = \"9\"",
+        "cases = \"\u{1}\"",
+        "[[[",
+    ] {
         let said = StudyFile::read(text).unwrap_err().to_string();
-        assert!(said.starts_with("line ") && said.lines().count() == 1, "{said}");
+        assert!(
+            said.starts_with("line ") && said.lines().count() == 1,
+            "{said}"
+        );
         assert!(said.contains("(allowed: "), "{said}");
     }
     let long = "#".repeat(2 << 20);
-    assert!(StudyFile::read(&long).unwrap_err().to_string().contains("2097152 bytes are too long"));
+    assert!(
+        StudyFile::read(&long)
+            .unwrap_err()
+            .to_string()
+            .contains("2097152 bytes are too long")
+    );
 }
 
 #[test]

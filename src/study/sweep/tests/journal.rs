@@ -27,14 +27,20 @@ fn refused(path: &Path) -> String {
     let before = fs::read(path).unwrap();
     let said = resumed(path).unwrap_err().to_string();
     assert_eq!(fs::read(path).unwrap(), before);
-    assert!(said.contains("(allowed: ") && said.lines().count() == 1, "{said}");
+    assert!(
+        said.contains("(allowed: ") && said.lines().count() == 1,
+        "{said}"
+    );
     said
 }
 
 #[test]
 fn units_come_back_as_they_were_and_in_the_order_of_the_header() {
     let (_directory, path) = begun();
-    assert!(matches!(Journal::begin(&path, &header()), Err(JournalError::Exists { .. })));
+    assert!(matches!(
+        Journal::begin(&path, &header()),
+        Err(JournalError::Exists { .. })
+    ));
     let journal = resumed(&path).unwrap();
     assert_eq!(journal.len(), 2);
     assert!(journal.has("made-up", "f32") && !journal.has("made-up", "mpfr:10"));
@@ -52,9 +58,15 @@ fn units_come_back_as_they_were_and_in_the_order_of_the_header() {
 fn a_line_that_was_cut_off_is_dropped_wherever_that_was() {
     let (_directory, path) = begun();
     let whole = fs::read(&path).unwrap();
-    let lines: Vec<usize> = (0..whole.len()).filter(|i| whole[*i] == b'\n').map(|i| i + 1).collect();
+    let lines: Vec<usize> = (0..whole.len())
+        .filter(|i| whole[*i] == b'\n')
+        .map(|i| i + 1)
+        .collect();
     // A cut anywhere in the file leaves the lines before it.
-    for cut in (0..whole.len()).step_by(97).chain(lines.iter().flat_map(|end| [end - 1, *end])) {
+    for cut in (0..whole.len())
+        .step_by(97)
+        .chain(lines.iter().flat_map(|end| [end - 1, *end]))
+    {
         fs::write(&path, &whole[..cut]).unwrap();
         let kept = lines.iter().filter(|end| **end <= cut).count();
         let journal = resumed(&path).unwrap();
@@ -75,12 +87,36 @@ fn a_line_in_the_middle_that_is_no_unit_of_the_study_is_refused_by_number() {
     let text = fs::read_to_string(&path).unwrap();
     for (from, to, reason) in [
         ("\"format\":\"mpfr:11\"", "\"format\":\"mpfr:11", "line 2: "),
-        ("\"format\":\"mpfr:11\"", "\"format\":\"f64\"", "line 2: made-up in f64 is no unit of this study"),
-        ("\"format\":\"mpfr:11\"", "\"format\":\"f32\"", "line 3: made-up in f32 stands there twice"),
-        ("\"method\":\"a × b\"", "\"method\":\"c\"", "line 2: the methods are not those of this study"),
-        ("\"n\":16,", "\"n\":17,", "line 2: the levels are not those of this study"),
-        ("\"total\":\"", "\"total\":\"x", "line 2: not a decimal number"),
-        ("\"evaluations\":0", "\"evaluations\":0,\"more\":1", "line 2: unknown field `more`"),
+        (
+            "\"format\":\"mpfr:11\"",
+            "\"format\":\"f64\"",
+            "line 2: made-up in f64 is no unit of this study",
+        ),
+        (
+            "\"format\":\"mpfr:11\"",
+            "\"format\":\"f32\"",
+            "line 3: made-up in f32 stands there twice",
+        ),
+        (
+            "\"method\":\"a × b\"",
+            "\"method\":\"c\"",
+            "line 2: the methods are not those of this study",
+        ),
+        (
+            "\"n\":16,",
+            "\"n\":17,",
+            "line 2: the levels are not those of this study",
+        ),
+        (
+            "\"total\":\"",
+            "\"total\":\"x",
+            "line 2: not a decimal number",
+        ),
+        (
+            "\"evaluations\":0",
+            "\"evaluations\":0,\"more\":1",
+            "line 2: unknown field `more`",
+        ),
     ] {
         let broken = text.replacen(from, to, 1);
         assert_ne!(broken, text, "{from}");
@@ -95,15 +131,48 @@ fn journals_of_other_studies_and_other_files_are_left_alone() {
     let (_directory, path) = begun();
     let wanted = header();
     for (what, other) in [
-        ("version", Header { volver: "x".into(), ..header() }),
-        ("cases", Header { cases: vec![["other", "1", "lambda", "1", "s"].map(String::from)], ..header() }),
-        ("methods", Header { methods: vec!["c".into()], ..header() }),
-        ("formats", Header { formats: vec!["f32".into()], ..header() }),
-        ("levels", Header { levels: vec![8], ..header() }),
+        (
+            "version",
+            Header {
+                volver: "x".into(),
+                ..header()
+            },
+        ),
+        (
+            "cases",
+            Header {
+                cases: vec![["other", "1", "lambda", "1", "s"].map(String::from)],
+                ..header()
+            },
+        ),
+        (
+            "methods",
+            Header {
+                methods: vec!["c".into()],
+                ..header()
+            },
+        ),
+        (
+            "formats",
+            Header {
+                formats: vec!["f32".into()],
+                ..header()
+            },
+        ),
+        (
+            "levels",
+            Header {
+                levels: vec![8],
+                ..header()
+            },
+        ),
     ] {
         let before = fs::read(&path).unwrap();
         let error = Journal::resume(&path, &other).unwrap_err();
-        assert!(matches!(&error, JournalError::OtherStudy { what: w, .. } if *w == what), "{error}");
+        assert!(
+            matches!(&error, JournalError::OtherStudy { what: w, .. } if *w == what),
+            "{error}"
+        );
         assert_eq!(fs::read(&path).unwrap(), before);
     }
     for text in ["my notes", "my notes\n", "{}\n", "{\"volver\""] {
@@ -112,7 +181,10 @@ fn journals_of_other_studies_and_other_files_are_left_alone() {
             // The beginning of a header that was cut off.
             assert!(resumed(&path).unwrap().is_empty());
         } else {
-            assert!(refused(&path).contains("is no journal of a study"), "{text}");
+            assert!(
+                refused(&path).contains("is no journal of a study"),
+                "{text}"
+            );
         }
     }
     assert!(Journal::resume(&path, &wanted).unwrap().is_empty());

@@ -43,7 +43,9 @@ fn parts_add_up_and_levels_that_do_not_suit_are_refused_with_a_reason() {
         let [trapezoid, boole] = &unit.rows[..] else {
             panic!("two methods");
         };
-        assert!(matches!(&boole.levels[0].state, State::Refused(why) if why.contains("multiples of 4")));
+        assert!(
+            matches!(&boole.levels[0].state, State::Refused(why) if why.contains("multiples of 4"))
+        );
         for level in trapezoid.levels.iter().chain(&boole.levels[1..]) {
             assert_eq!(level.state, State::Split);
             let parts = level.split().unwrap();
@@ -51,8 +53,16 @@ fn parts_add_up_and_levels_that_do_not_suit_are_refused_with_a_reason() {
             sum += &parts.arithmetic;
             sum += &parts.truncation;
             sum -= &parts.total;
-            let all = [&parts.total, &parts.discretization, &parts.input, &parts.arithmetic];
-            let largest = all.map(|x| x.to_f64().abs()).into_iter().fold(0.0, f64::max);
+            let all = [
+                &parts.total,
+                &parts.discretization,
+                &parts.input,
+                &parts.arithmetic,
+            ];
+            let largest = all
+                .map(|x| x.to_f64().abs())
+                .into_iter()
+                .fold(0.0, f64::max);
             assert!(sum.to_f64().abs() <= 1e-18 * largest, "{level:?}");
             split += 1;
         }

@@ -1,8 +1,8 @@
 use crate::convergence::Verdict;
+use crate::study::sweep::fixture::results;
 use crate::study::sweep::fixture::{A, B, P, Q, unit};
 use crate::study::sweep::record::{LevelRecord, State, Theory, Unit};
 use crate::study::sweep::{Results, TOLERANCES, summarize};
-use crate::study::sweep::fixture::results;
 use rug::Float;
 
 /// The least of √(D² + R²) for D = A n^−P and R = B u n^Q, where P D² = Q R².
@@ -65,7 +65,12 @@ fn levels_without_errors_are_left_out() {
     let nothing = summarize(&unit, &unit.rows[0], 1.0).unwrap();
     assert_eq!(nothing.discretization.verdict, Verdict::TooFewLevels);
     assert_eq!((nothing.crossing, nothing.best), (None, None));
-    assert!(nothing.bits_needed.iter().all(|needed| needed.bits.is_none()));
+    assert!(
+        nothing
+            .bits_needed
+            .iter()
+            .all(|needed| needed.bits.is_none())
+    );
 }
 
 #[test]
@@ -120,7 +125,10 @@ fn maps_have_the_swept_formats_and_groups_the_others() {
     let formats = |lines: Vec<&crate::study::sweep::Line>| -> Vec<String> {
         lines.iter().map(|line| line.format.clone()).collect()
     };
-    let groups: Vec<_> = results.groups().map(|(case, method, lines)| (case, method, formats(lines))).collect();
+    let groups: Vec<_> = results
+        .groups()
+        .map(|(case, method, lines)| (case, method, formats(lines)))
+        .collect();
     assert_eq!(groups, [("made-up", "a × b", vec!["f32".to_string()])]);
     let maps: Vec<_> = results.maps().map(|(_, _, lines)| formats(lines)).collect();
     assert_eq!(maps, [["mpfr:10", "mpfr:11", "mpfr:12"]]);
