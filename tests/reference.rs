@@ -125,6 +125,10 @@ fn every_point_is_sampled_once_and_every_exponential_taken_once() {
     let jump = medium("piecewise(s < 1/3, 1, 2)", "1");
     let work = radiance(&jump, bits(30)).unwrap().work;
     assert_eq!((work.panels, work.points, work.evaluations), (2, 66, 64));
+    // Between two breaks, neither end: the polynomial through the others has both.
+    let slab = medium("piecewise(s < 1/4, 1, s < 3/4, 2 + s^5, 1)", "1");
+    let work = radiance(&slab, bits(30)).unwrap().work;
+    assert_eq!((work.panels, work.points, work.evaluations), (3, 99, 95));
 }
 
 #[test]
