@@ -3,14 +3,14 @@
 use super::asked::{Asked, Asking, split};
 use crate::cli::Failure;
 use std::str::FromStr;
-use volver::method::{Exponential, Inner, Method, Nested, Outer, Scope};
-use volver::quadrature::Rule;
+use volver::method::Method;
 
-/// One for each of the orders 1, 2 and 4.
-const DEFAULT: [&str; 3] = [
+/// One for each of the orders 1, 2 and 4, and what most renderers do.
+const DEFAULT: [&str; 4] = [
     "riemann-left/riemann-left",
     "trapezoid/trapezoid",
     "simpson/simpson",
+    "front-to-back/middle/subtraction",
 ];
 
 pub(super) fn chosen(asking: &Asking, given: &[String]) -> Result<Vec<Method>, Failure> {
@@ -26,7 +26,7 @@ pub(super) fn chosen(asking: &Asking, given: &[String]) -> Result<Vec<Method>, F
     };
     let mut methods = Vec::new();
     for name in asked.unwrap_or_else(default) {
-        let method = method(&name)?;
+        let method = Method::from_str(&name.text).map_err(|error| name.refused(error))?;
         if methods.contains(&method) {
             let why = format!(
                 "'{}' a second time (allowed: each method once)",
@@ -37,21 +37,4 @@ pub(super) fn chosen(asking: &Asking, given: &[String]) -> Result<Vec<Method>, F
         methods.push(method);
     }
     Ok(methods)
-}
-
-/// INNER/OUTER with an exact exponential.
-fn method(name: &Asked) -> Result<Method, Failure> {
-    let (inner, outer) = name.text.split_once('/').ok_or_else(|| {
-        name.refused(format!(
-            "no method '{}' (allowed: INNER/OUTER, such as trapezoid/simpson)",
-            name.shown()
-        ))
-    })?;
-    let rule = |text: &str| Rule::from_str(text).map_err(|error| name.refused(error));
-    Ok(Method::Nested(Nested {
-        inner: Inner::PerSegment(rule(inner)?),
-        outer: Outer(rule(outer)?),
-        exponential: Exponential::Exact,
-        scope: Scope::Whole,
-    }))
 }
