@@ -27,9 +27,12 @@ docs/study.md says how. FILE is a study.toml, with the keys cases, methods,
 formats, levels and sweep-bits ('volver schema study'); options go before it.
 
 CASES are names that 'volver cases' lists, NAME/CHANNEL, @TAG for all cases with a
-tag, or paths of case files; every channel is a case of its own. METHODS are
-INNER/OUTER: riemann-left, riemann-right, midpoint, trapezoid, simpson, boole or
-gauss-POINTS. FORMATS are f16, bf16, f32, f64, tf32, fp8-e4m3, fp8-e5m2,
+tag, or paths of case files; every channel is a case of its own. METHODS are nested
+rules, INNER/OUTER[/EXPONENTIAL], of riemann-left, riemann-right, midpoint,
+trapezoid, simpson, boole and gauss-POINTS; ORDER/POSITION/OPACITY, such as
+front-to-back/middle/expm1/neumaier, back-to-front/front/subtraction or
+tree/middle/relative; and preintegrated/COLOR/OPACITY, such as
+preintegrated/linear/linear: docs/study.md has them all. FORMATS are f16, bf16, f32, f64, tf32, fp8-e4m3, fp8-e5m2,
 ieee:BITS,EMIN,EMAX, fixed:INTEGER.FRACTION or mpfr:BITS. Lists are separated by
 commas, blanks or semicolons; options may be repeated.
 
@@ -51,8 +54,8 @@ pub(crate) struct Study {
     /// Cases, repeatable
     #[arg(long, value_name = "CASES")]
     cases: Vec<String>,
-    /// Methods, repeatable [default: riemann-left/riemann-left,
-    /// trapezoid/trapezoid, simpson/simpson]
+    /// Methods, repeatable [default: riemann-left/riemann-left, trapezoid/trapezoid,
+    /// simpson/simpson, front-to-back/middle/subtraction]
     #[arg(long, value_name = "METHODS")]
     methods: Vec<String>,
     /// Formats, repeatable [default: f32, f64]
