@@ -165,13 +165,13 @@ fn random_case(seed: u64) -> SymbolicCase {
 }
 
 /// For methods of + − × alone the replay in rationals is exact; with the exponential it is good to 2000 bits.
-/// 25 runs on each of 40 random media: every arithmetic part, every input part and every discretization error
-/// equals that by definition.
+/// 25 runs on each of 64 random media: every arithmetic part, every input part and every discretization error
+/// equals that by definition, in more than a thousand runs of + − × alone.
 #[test]
 fn the_parts_of_a_thousand_random_runs_are_those_of_an_exact_replay() {
     let g = &mut Gen::from_size_and_seed(100, 4);
     let (mut split, mut rational, mut not_finite) = (0, 0, 0);
-    for seed in 0..44 {
+    for seed in 0..64 {
         let case = random_case(seed);
         for _ in 0..25 {
             let run = Run::arbitrary(g);
@@ -212,5 +212,5 @@ fn the_parts_of_a_thousand_random_runs_are_those_of_an_exact_replay() {
         }
     }
     println!("{split} runs split, {rational} of them of + − × alone, {not_finite} not finite");
-    assert!(split >= 1000 && rational >= 600 && not_finite < 100);
+    assert!(rational >= 1000 && not_finite < 100);
 }
