@@ -51,7 +51,7 @@ pub(super) fn escape(text: &str) -> String {
                 escaped.push(c);
             }
             '\\' => escaped.push_str("\\textbackslash{}"),
-            '~' => escaped.push_str("\\textasciitilde{}"),
+            '~' => escaped.push_str("$\\sim$"),
             '^' => escaped.push_str("\\textasciicircum{}"),
             '<' => escaped.push_str("$<$"),
             '>' => escaped.push_str("$>$"),

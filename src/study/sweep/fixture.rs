@@ -1,7 +1,7 @@
 //! Studies made up for tests.
 
 use super::record::{Header, LevelRecord, Row, State, Theory, Unit};
-use super::{Results, Sweep};
+use super::{Results, Sweep, number};
 use crate::case::{SymbolicCase, catalogue, manufacture::manufacture};
 use crate::method::{Exponential, Inner, Method, Nested, Outer, Scope};
 use crate::quadrature::Rule;
@@ -21,13 +21,17 @@ pub(crate) fn levels() -> Vec<u64> {
 
 fn level(n: u64, bits: u32) -> LevelRecord {
     let x = n as f64;
-    let number = |x: f64| Float::with_val(80, x);
+    // As a journal holds them.
+    let number = |x: f64| number::rounded(&Float::with_val(80, x));
     let discretization = number(A * x.powf(-P));
     let arithmetic = number(B * (-f64::from(bits)).exp2() * x.powf(Q));
     LevelRecord {
         n,
         state: State::Split,
-        total: Some(Float::with_val(80, &discretization + &arithmetic)),
+        total: Some(number::rounded(&Float::with_val(
+            80,
+            &discretization + &arithmetic,
+        ))),
         discretization: Some(discretization),
         truncation: Some(number(0.0)),
         input: Some(number(0.0)),
