@@ -87,7 +87,10 @@ fn a_study_has_all_outputs_whatever_the_number_of_threads() {
         assert!(found.contains_key(name), "{name}");
     }
     // A plot and a map for each of 2 cases × 3 methods; the document shows all.
-    let plots: Vec<&String> = found.keys().filter(|name| name.ends_with(".svg")).collect();
+    let plots: Vec<&String> = found
+        .keys()
+        .filter(|name| Path::new(name).extension().is_some_and(|e| e == "svg"))
+        .collect();
     assert_eq!(plots.len(), 12);
     let document = String::from_utf8(found["study.md"].clone()).unwrap();
     for plot in plots {

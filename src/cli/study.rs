@@ -107,7 +107,7 @@ impl Study {
         pool.build_global().map_err(said)?;
         let asking = Asking::new(self.file.as_deref())?;
         let Formats {
-            formats,
+            names: formats,
             swept,
             bits,
         } = formats::chosen(&asking, &self.formats, self.sweep_bits.as_deref())?;

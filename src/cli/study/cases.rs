@@ -4,6 +4,7 @@ use super::asked::{Asked, Asking, split};
 use crate::cli::{Failure, case};
 use rayon::prelude::*;
 use std::collections::BTreeSet;
+use std::path::Path;
 use volver::case::{Case, SymbolicCase, catalogue};
 
 /// One case to load.
@@ -61,7 +62,10 @@ pub(super) fn chosen(
 /// Names stay names; a path in a file is relative to the file.
 fn argument(asked: &Asked) -> String {
     let name = asked.text.split('/').next().unwrap_or_default();
-    let is_path = asked.text.contains('/') || asked.text.ends_with(".toml");
+    let is_path = asked.text.contains('/')
+        || Path::new(&asked.text)
+            .extension()
+            .is_some_and(|e| e == "toml");
     match &asked.directory {
         Some(directory) if is_path && catalogue::text(name).is_none() => {
             directory.join(&asked.text).display().to_string()

@@ -11,7 +11,7 @@ const SWEEP: RangeInclusive<u32> = 2..=256;
 
 /// The formats of a study.
 pub(super) struct Formats {
-    pub(super) formats: Vec<FormatName>,
+    pub(super) names: Vec<FormatName>,
     /// Of each whether it is there for the map of digits alone.
     pub(super) swept: Vec<bool>,
     pub(super) bits: Option<RangeInclusive<u32>>,
@@ -51,7 +51,7 @@ pub(super) fn chosen(
         }
     }
     Ok(Formats {
-        formats,
+        names: formats,
         swept,
         bits,
     })

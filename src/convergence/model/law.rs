@@ -36,7 +36,11 @@ impl RoundoffLaw {
         let points: Vec<(f64, f64, f64)> = errors
             .iter()
             .filter(|(n, error, resolution)| {
-                *n > 0 && error.is_finite() && error.cmp_abs(resolution).is_some_and(|o| o.is_gt())
+                *n > 0
+                    && error.is_finite()
+                    && error
+                        .cmp_abs(resolution)
+                        .is_some_and(std::cmp::Ordering::is_gt)
             })
             .map(|(n, error, _)| ((*n as f64).log2(), log2_abs(error), 1.0))
             .collect();

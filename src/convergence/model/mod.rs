@@ -1,6 +1,6 @@
 //! A model of a method's error in a format: where roundoff overtakes discretization, and how good it can get.
 //!
-//! |e|² ≈ D(n)² + (c_i u n^{q_i})² + (c_a u n^{q_a})², with the discretization error D as measured and carried
+//! |e|² ≈ D(n)² + (cᵢ u n^qᵢ)² + (cₐ u n^qₐ)², with the discretization error D as measured and carried
 //! on by its order, and laws fitted to input and arithmetic rounding. It is a model: fitted where both
 //! are seen, it tells of n and of formats that were not run.
 
@@ -75,7 +75,7 @@ impl ErrorModel {
                 split
                     .discretization
                     .cmp_abs(&split.resolution)
-                    .is_some_and(|o| o.is_gt())
+                    .is_some_and(std::cmp::Ordering::is_gt)
             })
             .map(|(n, split)| ((*n as f64).log2(), log2_abs(&split.discretization)))
             .collect();

@@ -4,12 +4,13 @@ use super::curve::{Curve, Guide, Mark, Model, Panel, is_slope, log10_abs, ticks}
 use crate::convergence::{Fit, RoundoffLaw};
 use crate::report::study::words::{PARTS, best, crossing};
 use crate::study::sweep::{LevelRecord, Line, Part};
+use std::cmp::Ordering;
 use std::f64::consts::LOG10_2;
 
 /// n* is drawn up to so many octaves beyond the finest level.
 const BEYOND: f64 = 3.0;
 /// Places of a model an octave.
-const STEPS: u32 = 8;
+const STEPS: f64 = 8.0;
 
 /// One panel a format.
 pub(super) fn panels(lines: &[&Line]) -> Vec<Panel> {
@@ -99,7 +100,7 @@ fn curve(line: &Line, part: Part, name: &str) -> Option<Curve> {
 /// log₁₀|part| and whether it is negative, where the oracle sees it.
 fn visible(level: &LevelRecord, part: Part) -> Option<(f64, bool)> {
     let error = level.part(part)?;
-    let hidden = |resolution| error.cmp_abs(resolution).is_none_or(|order| order.is_le());
+    let hidden = |resolution| error.cmp_abs(resolution).is_none_or(Ordering::is_le);
     if level.n == 0 || level.resolution.as_ref().is_some_and(hidden) {
         return None;
     }
@@ -117,9 +118,8 @@ fn models(line: &Line, first: f64, end: f64) -> Vec<Model> {
             path: vec![at(first), at(end)],
         })
     };
-    let whole: Vec<(f64, f64)> = (0..)
-        .map(|step| first + f64::from(step) / f64::from(STEPS))
-        .take_while(|x| *x <= end)
+    let next = |x: &f64| Some(x + 1.0 / STEPS).filter(|x| *x <= end);
+    let whole: Vec<(f64, f64)> = std::iter::successors(Some(first), next)
         .map(|x| (x, summary.model.log2_error(x) * LOG10_2))
         .filter(|(_, y)| y.is_finite())
         .collect();

@@ -174,19 +174,19 @@ pub struct LevelRecord {
     pub n: u64,
     /// What became of it.
     pub state: State,
-    /// Q_f − I.
+    /// `Q_f` − I.
     #[serde(with = "number::optional")]
     pub total: Option<Float>,
-    /// Q_∞ − I.
+    /// `Q_∞` − I.
     #[serde(with = "number::optional")]
     pub discretization: Option<Float>,
-    /// Q_∞ stopped early − Q_∞.
+    /// `Q_∞` stopped early − `Q_∞`.
     #[serde(with = "number::optional")]
     pub truncation: Option<Float>,
-    /// Q_∞(inputs of f) − Q_∞.
+    /// `Q_∞`(inputs of f) − `Q_∞`.
     #[serde(with = "number::optional")]
     pub input: Option<Float>,
-    /// Q_f − Q_∞(inputs of f).
+    /// `Q_f` − `Q_∞`(inputs of f).
     #[serde(with = "number::optional")]
     pub arithmetic: Option<Float>,
     /// The share of it that comes of the transmittances.
