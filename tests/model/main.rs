@@ -16,6 +16,11 @@ use volver::real::{Format, FormatName, WithFormat};
 
 /// Where the model is fitted.
 const LADDER: [u64; 10] = [8, 16, 32, 64, 128, 256, 512, 1024, 2048, 4096];
+/// For the model alone there are levels between: at powers of two some roundings, and the places of some breaks
+/// in their segments, are special.
+const BETWEEN: [u64; 18] = [
+    12, 20, 24, 40, 52, 76, 100, 164, 204, 324, 404, 644, 812, 1292, 1628, 2476, 2868, 3252,
+];
 /// Predictions beyond are not looked at: 2¹⁸.
 const MOST_SEGMENTS: f64 = 262_144.0;
 
@@ -80,7 +85,9 @@ impl WithFormat for InFormat<'_> {
         let nodes = Shared::new(case, format);
         let methods = self.oracle.methods();
         let mut splits: Vec<Vec<(u64, Split)>> = vec![Vec::new(); methods.len()];
-        for n in LADDER {
+        let mut levels = [&LADDER[..], &BETWEEN[..]].concat();
+        levels.sort_unstable();
+        for n in levels {
             let cells = self.oracle.split(&nodes, n).unwrap();
             for (splits, cell) in splits.iter_mut().zip(cells) {
                 splits.extend(cell.unwrap().split().map(|split| (n, split.clone())));
@@ -107,6 +114,7 @@ fn model(case: &SymbolicCase, method: &Method, splits: &[(u64, Split)], bits: u3
     let expected = expected_on(method, case, &LADDER);
     let samples: Vec<Sample> = splits
         .iter()
+        .filter(|(n, _)| LADDER.contains(n))
         .map(|(n, split)| Sample {
             n: Some(*n),
             step: 1.0 / *n as f64,
@@ -123,7 +131,7 @@ fn model(case: &SymbolicCase, method: &Method, splits: &[(u64, Split)], bits: u3
     ErrorModel::new(&splits, bits, order)
 }
 
-fn rows(names: &[&str]) -> Vec<Row> {
+fn rows(names: &[&str], formats: &[&str]) -> Vec<Row> {
     let cases: Vec<(String, SymbolicCase)> = names
         .iter()
         .flat_map(|name| {
@@ -148,7 +156,7 @@ fn rows(names: &[&str]) -> Vec<Row> {
                     oracle: &oracle,
                 })
             };
-            FORMATS.iter().flat_map(in_format).collect::<Vec<_>>()
+            formats.iter().flat_map(in_format).collect::<Vec<_>>()
         })
         .collect()
 }
@@ -183,8 +191,8 @@ fn check(rows: &[Row]) {
 
 #[test]
 fn the_best_accuracy_and_its_n_are_foreseen() {
-    let rows = rows(&["sine-squared", "reciprocal", "emission-jump", "kink-off-node"]);
-    assert!(rows.len() >= 30);
+    let rows = rows(&["sine-squared", "jump-off-node"], &["f16", "tf32"]);
+    assert!(rows.len() >= 15);
     check(&rows);
 }
 
@@ -192,7 +200,7 @@ fn the_best_accuracy_and_its_n_are_foreseen() {
 #[ignore = "the whole catalogue, half an hour"]
 fn the_best_accuracy_and_its_n_are_foreseen_on_the_whole_catalogue() {
     let names: Vec<&str> = catalogue::names().collect();
-    let rows = rows(&names);
+    let rows = rows(&names, &FORMATS);
     assert!(rows.len() >= 600);
     check(&rows);
 }

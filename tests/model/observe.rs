@@ -1,5 +1,6 @@
 //! What really comes out, over blocks of neighbouring n: a single n is luck.
 
+use rug::Rational;
 use volver::case::{Case, Fresh, SymbolicCase};
 use volver::method::Method;
 use volver::real::{Format, Mpfr, Native, Real};
@@ -71,6 +72,15 @@ pub(crate) fn observe<F: Format>(
     Some(Observed { best, crossing })
 }
 
+/// Whether every half of a segment begins on the same side of every jump in both formats.
+fn same_sides<F: Format>(case: &SymbolicCase, format: F, n: u64) -> bool {
+    let wide = Mpfr { bits: 200 };
+    (0..=2 * n).all(|i| {
+        let lambda = Rational::from((i, 2 * n)) * case.length();
+        case.branches(&format.ratio(&lambda)) == case.branches(&wide.ratio(&lambda))
+    })
+}
+
 /// The block of neighbours around c that suit the method; `None` where there are none.
 fn block<F: Format>(case: &SymbolicCase, method: &Method, format: F, center: f64) -> Option<Block> {
     let (low, high) = (center / 2_f64.sqrt(), center * 2_f64.sqrt());
@@ -84,7 +94,15 @@ fn block<F: Format>(case: &SymbolicCase, method: &Method, format: F, center: f64
     let radiance = case.radiance(&wide.ratio(&case.length()))?.to_float();
     let mut squares = [0.0; 3];
     let mut count = 0.0;
+    let has_jumps = case.structure().breaks.iter().any(|b| {
+        let jumps = |power: &Option<Rational>| power.as_ref().is_some_and(|power| *power == 0);
+        jumps(&b.extinction) || jumps(&b.source)
+    });
     for n in numbers {
+        // What stands on another side of a jump solves another problem, and is not split either.
+        if has_jumps && !same_sides(case, format, n) {
+            continue;
+        }
         let here = method
             .radiance(&Fresh::new(case, format), n)
             .ok()?

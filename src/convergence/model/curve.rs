@@ -1,5 +1,15 @@
 //! A discretization error over the number of segments, measured and carried on.
 
+/// The mean of log₂ n, and log₂ of the root mean square of the errors.
+fn root_mean_square(points: &[&(f64, f64)]) -> (f64, f64) {
+    let count = points.len() as f64;
+    let mean = points.iter().map(|p| p.0).sum::<f64>() / count;
+    // The largest taken out, so that nothing overflows.
+    let largest = points.iter().map(|p| p.1).fold(f64::NEG_INFINITY, f64::max);
+    let squares = points.iter().map(|p| (2.0 * (p.1 - largest)).exp2());
+    (mean, largest + 0.5 * (squares.sum::<f64>() / count).log2())
+}
+
 /// log₂|e| over log₂ n: straight between levels that were measured, a power law beyond the finest.
 #[derive(Clone, Debug, PartialEq)]
 pub(super) struct Curve {
@@ -10,9 +20,14 @@ pub(super) struct Curve {
 }
 
 impl Curve {
-    /// `None` without a level whose error is neither 0 nor infinite.
-    pub(super) fn new(mut points: Vec<(f64, f64)>, order: Option<f64>) -> Option<Curve> {
-        points.retain(|p| p.0.is_finite() && p.1.is_finite());
+    /// `None` without a level whose error is neither 0 nor infinite. Levels within half an octave of each
+    /// other stand for one by their root mean square: where a break of the medium lies in its segment, the
+    /// error of a single n is luck.
+    pub(super) fn new(points: &[(f64, f64)], order: Option<f64>) -> Option<Curve> {
+        let finite = points.iter().filter(|p| p.0.is_finite() && p.1.is_finite());
+        let octaves = finite.collect::<Vec<_>>();
+        let octaves = octaves.chunk_by(|a, b| a.0.round() == b.0.round());
+        let points: Vec<(f64, f64)> = octaves.map(root_mean_square).collect();
         let last_pair = match points[..] {
             [.., a, b] => Some((a.1 - b.1) / (b.0 - a.0)),
             _ => None,

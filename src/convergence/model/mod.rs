@@ -69,7 +69,7 @@ impl ErrorModel {
                 .collect();
             RoundoffLaw::fit(&errors, bits)
         };
-        let points = splits
+        let points: Vec<(f64, f64)> = splits
             .iter()
             .filter(|(_, split)| {
                 split
@@ -81,7 +81,7 @@ impl ErrorModel {
             .collect();
         ErrorModel {
             bits,
-            discretization: Curve::new(points, order),
+            discretization: Curve::new(&points, order),
             first: splits.first().map_or(0.0, |(n, _)| (*n as f64).log2()),
             laws: Laws {
                 input: law(&|split| Some(split.input.clone())),
