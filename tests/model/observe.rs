@@ -1,14 +1,15 @@
 //! What really comes out, over blocks of neighbouring n: a single n is luck.
 
 use rug::Rational;
+use std::collections::VecDeque;
 use volver::case::{Case, Fresh, SymbolicCase};
 use volver::method::Method;
 use volver::real::{Format, Mpfr, Native, Real};
 
 /// Neighbours in a block [c/√2, c√2].
 const NEIGHBOURS: u64 = 24;
-/// Blocks looked at around a prediction, to both sides.
-const BLOCKS: i32 = 3;
+/// Numbers of segments that are looked at.
+const RANGE: std::ops::Range<f64> = 5.0..1.0e6;
 
 pub(crate) struct Observed {
     /// The least root mean square of the total error.
@@ -25,41 +26,45 @@ struct Block {
     rounding: f64,
 }
 
-/// Around the prediction, as far as the least error is not at the end of what was seen.
+/// Blocks around the prediction, an octave apart, and on to either side until the least error and the crossing
+/// lie inside.
 pub(crate) fn observe<F: Format>(
     case: &SymbolicCase,
     method: &Method,
     format: F,
     log2_best: f64,
 ) -> Option<Observed> {
-    let center = |k: i32| (log2_best + f64::from(k)).exp2();
-    let least = |k: i32| center(k) >= 5.0 && center(k) <= 1.5e6;
-    let mut blocks: Vec<Block> = Vec::new();
-    let (mut from, mut to) = (-BLOCKS, BLOCKS);
-    blocks.extend(
-        (from..=to)
-            .filter(|k| least(*k))
-            .filter_map(|k| block(case, method, format, center(k))),
-    );
-    loop {
+    let at = |k: i32| {
+        let center = (log2_best + f64::from(k)).exp2();
+        RANGE
+            .contains(&center)
+            .then(|| block(case, method, format, center))
+            .flatten()
+    };
+    let (mut from, mut to) = (-1, 1);
+    let mut blocks: VecDeque<Block> = (from..=to).filter_map(at).collect();
+    let (mut ends_below, mut ends_above) = (false, false);
+    while !(ends_below && ends_above) {
         let best =
             (0..blocks.len()).min_by(|&a, &b| blocks[a].total.total_cmp(&blocks[b].total))?;
-        if best + 1 == blocks.len() && least(to + 1) {
-            to += 1;
-            blocks.extend(block(case, method, format, center(to)));
-        } else if best == 0 && least(from - 1) {
+        let leads = |block: Option<&Block>| block.is_some_and(|b| b.discretization > b.rounding);
+        if !ends_below && (best == 0 || !leads(blocks.front())) {
             from -= 1;
-            match block(case, method, format, center(from)) {
-                Some(block) => blocks.insert(0, block),
-                None => break,
+            match at(from) {
+                Some(block) => blocks.push_front(block),
+                None => ends_below = true,
+            }
+        } else if !ends_above && (best + 1 == blocks.len() || leads(blocks.back())) {
+            to += 1;
+            match at(to) {
+                Some(block) => blocks.push_back(block),
+                None => ends_above = true,
             }
         } else {
             break;
         }
-        if to - from > 30 {
-            break;
-        }
     }
+    let blocks = Vec::from(blocks);
     let best = blocks.iter().map(|b| b.total).fold(f64::INFINITY, f64::min);
     // The last block where discretization leads, and the next: a straight line between their logarithms.
     let last = blocks.iter().rposition(|b| b.discretization > b.rounding);
