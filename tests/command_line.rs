@@ -161,6 +161,7 @@ fn the_examples_of_the_help_run() {
         (&["cases", "--help"], 4),
         (&["manufacture", "--help"], 4),
         (&["reference", "--help"], 4),
+        (&["stress", "--help"], 4),
     ] {
         let output = volver(help, "").output().unwrap();
         assert_eq!(output.status.code(), Some(0));

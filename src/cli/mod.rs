@@ -10,6 +10,7 @@ mod progress;
 mod reference;
 mod reproduce;
 mod schema;
+mod stress;
 mod study;
 mod terminal;
 
@@ -31,6 +32,7 @@ Examples:
   volver study --cases sine-squared --methods trapezoid/trapezoid --levels 8..256
   volver manufacture rgb-transfer --code python
   volver reference sine-squared --digits 100
+  volver stress --scenarios depth --formats f16,f32
   volver completions bash";
 
 /// Verifies approximations of the volume rendering integral.
@@ -45,6 +47,7 @@ struct Arguments {
 #[derive(Subcommand)]
 pub(crate) enum Command {
     Reproduce(reproduce::Reproduce),
+    Stress(stress::Stress),
     Fit(fit::Fit),
     Cases(cases::Cases),
     Manufacture(manufacture::Manufacture),
@@ -59,6 +62,7 @@ impl Command {
     pub(crate) fn run(self) -> Result<Outcome, Failure> {
         match self {
             Command::Reproduce(arguments) => arguments.run(),
+            Command::Stress(arguments) => arguments.run(),
             Command::Fit(arguments) => arguments.run(),
             Command::Cases(arguments) => arguments.run(),
             Command::Manufacture(arguments) => arguments.run(),

@@ -183,10 +183,7 @@ impl Study {
             |(name, _): &(String, _), format: &FormatName| journal.has(name, &format.to_string());
         for case in &sweep.cases {
             for format in sweep.formats.iter().filter(|format| is_done(case, format)) {
-                let works = sweep
-                    .levels
-                    .iter()
-                    .map(|&n| Estimate::work(sweep, *format, n));
+                let works = Estimate::levels(sweep).map(|n| Estimate::work(sweep, *format, n));
                 bar.skip(works.fold(0, u64::saturating_add));
             }
         }

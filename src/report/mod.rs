@@ -9,6 +9,7 @@
 //! | [`write_directory`] | all of them as files |
 //! | [`nonsmooth`] | the table of jumps and kinks, as text, Markdown and JSON |
 //! | [`study`] | a study, as text, Markdown, JSON, CSV, LaTeX and plots |
+//! | [`stress`] | digits and verdicts at the extremes, as text, Markdown, JSON and a heat map |
 //!
 //! Nothing here computes an order: a report shows what [`Entry`](crate::study::reproduce::Entry) and
 //! [`Fit`](crate::convergence::Fit) hold.
@@ -22,6 +23,7 @@ mod legend;
 pub mod markdown;
 pub mod nonsmooth;
 mod preflight;
+pub mod stress;
 pub mod study;
 pub mod svg;
 pub mod text;

@@ -3,6 +3,7 @@
 pub mod nonsmooth;
 pub mod reproduce;
 mod run;
+pub mod stress;
 pub mod sweep;
 
 pub use run::{Progress, Run, Silent, samples};

@@ -13,14 +13,10 @@ use volver::case::{Shared, SymbolicCase, catalogue};
 use volver::convergence::{ErrorModel, Oracle, Sample, Split, fit};
 use volver::method::{Expected, Method, expected_on};
 use volver::real::{Format, FormatName, WithFormat};
+use volver::study::sweep::between;
 
 /// Where the model is fitted.
 const LADDER: [u64; 10] = [8, 16, 32, 64, 128, 256, 512, 1024, 2048, 4096];
-/// For the model alone there are levels between: at powers of two some roundings, and the places of some breaks
-/// in their segments, are special.
-const BETWEEN: [u64; 18] = [
-    12, 20, 24, 40, 52, 76, 100, 164, 204, 324, 404, 644, 812, 1292, 1628, 2476, 2868, 3252,
-];
 /// Predictions beyond are not looked at: 2¹⁸.
 const MOST_SEGMENTS: f64 = 262_144.0;
 
@@ -85,7 +81,8 @@ impl WithFormat for InFormat<'_> {
         let nodes = Shared::new(case, format);
         let methods = self.oracle.methods();
         let mut splits: Vec<Vec<(u64, Split)>> = vec![Vec::new(); methods.len()];
-        let mut levels = [&LADDER[..], &BETWEEN[..]].concat();
+        // As a study makes them.
+        let mut levels = [&LADDER[..], &between(&LADDER)[..]].concat();
         levels.sort_unstable();
         for n in levels {
             let cells = self.oracle.split(&nodes, n).unwrap();

@@ -4,6 +4,7 @@
 
 mod branches;
 mod exact;
+mod stops;
 
 use exact::{Attenuation, Medium};
 use quickcheck::{Arbitrary, Gen};

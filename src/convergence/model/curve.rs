@@ -1,12 +1,13 @@
 //! A discretization error over the number of segments, measured and carried on.
 
-/// The mean of log₂ n, and log₂ of the root mean square of the errors.
-fn root_mean_square(points: &[&(f64, f64)]) -> (f64, f64) {
+/// The mean of log₂ n, and log₂ of the root mean square of the errors carried there by their order.
+fn root_mean_square(points: &[&(f64, f64)], order: f64) -> (f64, f64) {
     let count = points.len() as f64;
     let mean = points.iter().map(|p| p.0).sum::<f64>() / count;
+    let there: Vec<f64> = points.iter().map(|p| p.1 + order * (p.0 - mean)).collect();
     // The largest taken out, so that nothing overflows.
-    let largest = points.iter().map(|p| p.1).fold(f64::NEG_INFINITY, f64::max);
-    let squares = points.iter().map(|p| (2.0 * (p.1 - largest)).exp2());
+    let largest = there.iter().copied().fold(f64::NEG_INFINITY, f64::max);
+    let squares = there.iter().map(|y| (2.0 * (y - largest)).exp2());
     (mean, largest + 0.5 * (squares.sum::<f64>() / count).log2())
 }
 
@@ -27,7 +28,8 @@ impl Curve {
         let finite = points.iter().filter(|p| p.0.is_finite() && p.1.is_finite());
         let octaves = finite.collect::<Vec<_>>();
         let octaves = octaves.chunk_by(|a, b| a.0.round() == b.0.round());
-        let points: Vec<(f64, f64)> = octaves.map(root_mean_square).collect();
+        let slope = order.unwrap_or(0.0);
+        let points: Vec<(f64, f64)> = octaves.map(|o| root_mean_square(o, slope)).collect();
         let last_pair = match points[..] {
             [.., a, b] => Some((a.1 - b.1) / (b.0 - a.0)),
             _ => None,

@@ -16,38 +16,38 @@ const LETTER_WIDTH: f64 = 0.56;
 type BackendCoord = (i32, i32);
 
 /// A place in pixels, from the upper left corner.
-pub(super) type Point = (f64, f64);
+pub(in crate::report) type Point = (f64, f64);
 
 /// How a line is drawn.
 #[derive(Clone, Copy)]
-pub(super) struct Stroke {
-    pub(super) color: RGBColor,
-    pub(super) width: f64,
+pub(in crate::report) struct Stroke {
+    pub(in crate::report) color: RGBColor,
+    pub(in crate::report) width: f64,
 }
 
 /// How a text is drawn, and which point of it is given.
 #[derive(Clone, Copy)]
-pub(super) struct Letters {
-    pub(super) color: RGBColor,
-    pub(super) size: f64,
-    pub(super) bold: bool,
-    pub(super) at: HPos,
-    pub(super) upwards: bool,
+pub(in crate::report) struct Letters {
+    pub(in crate::report) color: RGBColor,
+    pub(in crate::report) size: f64,
+    pub(in crate::report) bold: bool,
+    pub(in crate::report) at: HPos,
+    pub(in crate::report) upwards: bool,
 }
 
 /// The width a text takes, roughly: fonts are the reader's.
-pub(super) fn text_width(text: &str, size: f64) -> f64 {
+pub(in crate::report) fn text_width(text: &str, size: f64) -> f64 {
     text.chars().count() as f64 * size * LETTER_WIDTH
 }
 
 /// A drawing under way. Remembers the first failure, so that drawing code needs no error paths.
-pub(super) struct Canvas<'a> {
+pub(in crate::report) struct Canvas<'a> {
     backend: SVGBackend<'a>,
     failure: Option<String>,
 }
 
 /// The SVG of what `figure` draws on `size` pixels.
-pub(super) fn draw(
+pub(in crate::report) fn draw(
     title: &str,
     (width, height): (f64, f64),
     figure: impl FnOnce(&mut Canvas<'_>),
@@ -110,26 +110,31 @@ impl Canvas<'_> {
         }
     }
 
-    pub(super) fn path(&mut self, points: &[Point], stroke: Stroke) {
+    pub(in crate::report) fn path(&mut self, points: &[Point], stroke: Stroke) {
         let points: Vec<BackendCoord> = points.iter().copied().map(units).collect();
         let drawn = self.backend.draw_path(points, &stroke.style());
         self.note(drawn);
     }
 
     /// A path of dashes: `pattern` is the length of a dash and of the gap after it.
-    pub(super) fn dashes(&mut self, points: &[Point], stroke: Stroke, pattern: (f64, f64)) {
+    pub(in crate::report) fn dashes(
+        &mut self,
+        points: &[Point],
+        stroke: Stroke,
+        pattern: (f64, f64),
+    ) {
         for (from, to) in dashes(points, pattern) {
             self.path(&[from, to], stroke);
         }
     }
 
-    pub(super) fn polygon(&mut self, points: &[Point], color: RGBColor) {
+    pub(in crate::report) fn polygon(&mut self, points: &[Point], color: RGBColor) {
         let points: Vec<BackendCoord> = points.iter().copied().map(units).collect();
         let drawn = self.backend.fill_polygon(points, &color.filled());
         self.note(drawn);
     }
 
-    pub(super) fn circle(&mut self, center: Point, radius: f64, color: RGBColor) {
+    pub(in crate::report) fn circle(&mut self, center: Point, radius: f64, color: RGBColor) {
         let radius = width_units(radius);
         let drawn = self
             .backend
@@ -137,7 +142,7 @@ impl Canvas<'_> {
         self.note(drawn);
     }
 
-    pub(super) fn text(&mut self, text: &str, at: Point, letters: Letters) {
+    pub(in crate::report) fn text(&mut self, text: &str, at: Point, letters: Letters) {
         let style = if letters.bold {
             FontStyle::Bold
         } else {

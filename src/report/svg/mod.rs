@@ -10,7 +10,7 @@
 
 mod area;
 mod axes;
-mod canvas;
+pub(super) mod canvas;
 mod case;
 mod curve;
 mod figure;
@@ -24,7 +24,7 @@ mod place;
 mod scale;
 mod slopes;
 mod split;
-mod style;
+pub(super) mod style;
 mod triangle;
 
 use super::{Group, ReportError};

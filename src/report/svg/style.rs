@@ -16,20 +16,20 @@ const PALETTE: [RGBColor; 7] = [
     RGBColor(0x00, 0x00, 0x00),
 ];
 
-pub(super) const WHITE: RGBColor = RGBColor(0xFF, 0xFF, 0xFF);
-pub(super) const TEXT: RGBColor = RGBColor(0x22, 0x22, 0x22);
-pub(super) const MUTED: RGBColor = RGBColor(0x77, 0x77, 0x77);
-pub(super) const TICK_SIZE: f64 = 10.5;
+pub(in crate::report) const WHITE: RGBColor = RGBColor(0xFF, 0xFF, 0xFF);
+pub(in crate::report) const TEXT: RGBColor = RGBColor(0x22, 0x22, 0x22);
+pub(in crate::report) const MUTED: RGBColor = RGBColor(0x77, 0x77, 0x77);
+pub(in crate::report) const TICK_SIZE: f64 = 10.5;
 
-pub(super) const GRID: Stroke = Stroke {
+pub(in crate::report) const GRID: Stroke = Stroke {
     color: RGBColor(0xE4, 0xE4, 0xE4),
     width: 0.7,
 };
-pub(super) const AXIS: Stroke = Stroke {
+pub(in crate::report) const AXIS: Stroke = Stroke {
     color: RGBColor(0x55, 0x55, 0x55),
     width: 1.0,
 };
-pub(super) const FLOOR: Stroke = Stroke {
+pub(in crate::report) const FLOOR: Stroke = Stroke {
     color: MUTED,
     width: 1.3,
 };
@@ -43,12 +43,12 @@ pub(super) const BIAS_DASHES: (f64, f64) = (6.0, 4.0);
 pub(super) const GUIDE_DASHES: (f64, f64) = (4.0, 3.0);
 
 /// The colour of a column; they repeat after seven.
-pub(super) fn color(index: usize) -> RGBColor {
+pub(in crate::report) fn color(index: usize) -> RGBColor {
     PALETTE[index % PALETTE.len()]
 }
 
 /// Level text in the colour of text.
-pub(super) fn letters(size: f64, bold: bool, at: HPos) -> Letters {
+pub(in crate::report) fn letters(size: f64, bold: bool, at: HPos) -> Letters {
     Letters {
         color: TEXT,
         size,

@@ -39,10 +39,10 @@ impl Estimate {
         };
         let widest = sweep.formats.iter().map(bytes).fold(0.0, f64::max);
         let at_once = (2 * threads).min(sweep.cases.len()) as f64;
-        let work = sweep.formats.iter().flat_map(|format| {
-            let levels = sweep.levels.iter();
-            levels.map(|&n| Self::work(sweep, *format, n) as f64)
-        });
+        let work = sweep
+            .formats
+            .iter()
+            .flat_map(|format| Self::levels(sweep).map(|n| Self::work(sweep, *format, n) as f64));
         Estimate {
             bytes: numbers * widest * at_once,
             work: work.sum::<f64>() * sweep.cases.len() as f64,
@@ -64,6 +64,12 @@ impl Estimate {
     )]
     pub fn work_units(&self) -> u64 {
         self.work as u64
+    }
+
+    /// All levels of a unit, those for models alone among them.
+    pub fn levels(sweep: &Sweep) -> impl Iterator<Item = u64> {
+        let between = super::between(&sweep.levels);
+        sweep.levels.iter().copied().chain(between)
     }
 
     /// Work of one level of one unit.

@@ -1,7 +1,7 @@
 //! Studies made up for tests.
 
 use super::record::{Header, LevelRecord, Row, State, Theory, Unit};
-use super::{Results, Sweep, number};
+use super::{Results, Sweep, between, number};
 use crate::case::{SymbolicCase, catalogue, manufacture::manufacture};
 use crate::method::{Exponential, Inner, Method, Nested, Outer, Scope};
 use crate::quadrature::Rule;
@@ -54,6 +54,10 @@ pub(crate) fn unit(format: &str, bits: u32) -> Unit {
             method: "a × b".into(),
             expected: Theory::Order(P),
             levels: levels().into_iter().map(|n| level(n, bits)).collect(),
+            between: between(&levels())
+                .into_iter()
+                .map(|n| level(n, bits))
+                .collect(),
         }],
     }
 }

@@ -1,6 +1,7 @@
 //! Finished units, one a line, appended as they come.
 
-use super::record::{Header, Unit};
+use super::between;
+use super::record::{Header, LevelRecord, Row, Unit};
 use serde::Serialize;
 use std::fs::{File, OpenOptions};
 use std::io::{self, BufRead, BufReader, Seek, SeekFrom, Write};
@@ -247,10 +248,13 @@ fn check(unit: &Unit, header: &Header) -> Result<(), String> {
     if !methods.eq(&header.methods) {
         return Err("the methods are not those of this study".into());
     }
-    let complete = |levels: &[super::LevelRecord]| {
-        levels.iter().map(|l| l.n).eq(header.levels.iter().copied())
+    let between = between(&header.levels);
+    let complete = |found: &[LevelRecord], wanted: &[u64]| {
+        found.iter().map(|level| level.n).eq(wanted.iter().copied())
     };
-    if !rows.iter().all(|row| complete(&row.levels)) {
+    let is_complete =
+        |row: &Row| complete(&row.levels, &header.levels) && complete(&row.between, &between);
+    if !rows.iter().all(is_complete) {
         return Err("the levels are not those of this study".into());
     }
     Ok(())

@@ -4,6 +4,7 @@
 //! unit when it is finished; what is reported is made of a journal's units alone, so that a study that was cut
 //! off and resumed gives the same bytes as one that was not.
 
+mod between;
 mod estimate;
 mod file;
 #[cfg(test)]
@@ -17,6 +18,7 @@ mod summary;
 #[cfg(test)]
 mod tests;
 
+pub use between::between;
 pub use estimate::Estimate;
 pub use file::{FileLevels, StudyFile, StudyFileError, StudyFileProblem};
 pub use journal::{Journal, JournalError};

@@ -83,6 +83,8 @@ pub struct Row {
     pub expected: Theory,
     /// What came out, coarse to fine.
     pub levels: Vec<LevelRecord>,
+    /// The same at the levels [`between`](super::between), which models alone are made from.
+    pub between: Vec<LevelRecord>,
 }
 
 /// [`Expected`], as it is kept.

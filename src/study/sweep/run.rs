@@ -3,7 +3,7 @@
 use super::journal::{Journal, JournalError};
 use super::number;
 use super::record::{LevelRecord, Row, Unit};
-use super::{Estimate, Sweep};
+use super::{Estimate, Sweep, between};
 use crate::case::{Shared, SymbolicCase};
 use crate::convergence::{Cell, Oracle};
 use crate::method::{MethodError, expected_on};
@@ -164,10 +164,17 @@ impl WithFormat for OneUnit<'_, '_> {
                 .advance(Estimate::work(self.sweep, self.format, n));
             records(n, cells, self.sweep.methods.len())
         };
-        let levels: Vec<Vec<LevelRecord>> = if self.levels_in_parallel {
-            self.sweep.levels.par_iter().map(at).collect()
-        } else {
-            self.sweep.levels.iter().map(at).collect()
+        let all = |levels: &[u64]| -> Vec<Vec<LevelRecord>> {
+            if self.levels_in_parallel {
+                levels.par_iter().map(at).collect()
+            } else {
+                levels.iter().map(at).collect()
+            }
+        };
+        let levels = all(&self.sweep.levels);
+        let between = all(&between(&self.sweep.levels));
+        let of = |levels: &[Vec<LevelRecord>], m: usize| {
+            levels.iter().map(|level| level[m].clone()).collect()
         };
         let radiance = self.oracle.radiance(RADIANCE_BITS);
         let rows = self
@@ -178,7 +185,8 @@ impl WithFormat for OneUnit<'_, '_> {
             .map(|(m, method)| Row {
                 method: method.name(),
                 expected: expected_on(method, case, &self.sweep.levels).into(),
-                levels: levels.iter().map(|level| level[m].clone()).collect(),
+                levels: of(&levels, m),
+                between: of(&between, m),
             });
         Unit {
             case: self.name.into(),

@@ -1,6 +1,6 @@
 //! What the levels of a row tell together.
 
-use super::record::{Part, Row, State, Unit};
+use super::record::{LevelRecord, Part, Row, State, Unit};
 use crate::convergence::{Best, ErrorModel, Fit, FitError, Laws, Sample, Split, fit};
 use crate::method::Expected;
 use crate::real::{MpfrReal, Real};
@@ -46,11 +46,8 @@ pub struct Bits {
 /// [`FitError`], which levels that ascend do not cause.
 pub fn summarize(unit: &Unit, row: &Row, length: f64) -> Result<Summary, FitError> {
     let expected = Expected::from(row.expected);
-    let splits: Vec<(u64, Split)> = row
-        .levels
-        .iter()
-        .filter_map(|level| Some((level.n, level.split()?)))
-        .collect();
+    let split = |level: &LevelRecord| Some((level.n, level.split()?));
+    let splits: Vec<(u64, Split)> = row.levels.iter().filter_map(split).collect();
     let discretization: Vec<Sample> = splits
         .iter()
         .map(|(n, split)| sample(*n, length, &split.discretization, &split.resolution))
@@ -72,7 +69,10 @@ pub fn summarize(unit: &Unit, row: &Row, length: f64) -> Result<Summary, FitErro
         })
         .collect();
     let total = fit(&total, Some(expected))?;
-    let by_reference: Vec<(u64, &Split)> = splits.iter().map(|(n, split)| (*n, split)).collect();
+    let mut all = splits;
+    all.extend(row.between.iter().filter_map(split));
+    all.sort_by_key(|(n, _)| *n);
+    let by_reference: Vec<(u64, &Split)> = all.iter().map(|(n, split)| (*n, split)).collect();
     let order = discretization
         .window
         .and(discretization.order)

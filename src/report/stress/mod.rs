@@ -1,0 +1,75 @@
+//! The extremes: for a terminal, as a document with a heat map, for programs.
+
+mod heat_map;
+mod json;
+mod markdown;
+mod text;
+mod words;
+
+pub use heat_map::heat_map;
+pub use json::json;
+pub use markdown::markdown;
+pub use text::text;
+
+use super::{ReportError, write_file};
+use crate::study::stress::Cell;
+use std::fs;
+use std::path::{Path, PathBuf};
+
+/// Cells by scenario, method and format, each axis in the order of appearance.
+struct Grid<'a> {
+    scenarios: Vec<&'a str>,
+    methods: Vec<&'a str>,
+    formats: Vec<&'a str>,
+    cells: &'a [Cell],
+}
+
+impl<'a> Grid<'a> {
+    fn new(cells: &'a [Cell]) -> Self {
+        let mut grid = Grid {
+            scenarios: Vec::new(),
+            methods: Vec::new(),
+            formats: Vec::new(),
+            cells,
+        };
+        for cell in cells {
+            for (axis, name) in [
+                (&mut grid.scenarios, &cell.scenario),
+                (&mut grid.methods, &cell.method),
+                (&mut grid.formats, &cell.format),
+            ] {
+                if !axis.contains(&name.as_str()) {
+                    axis.push(name);
+                }
+            }
+        }
+        grid
+    }
+
+    fn cell(&self, scenario: &str, method: &str, format: &str) -> Option<&'a Cell> {
+        self.cells.iter().find(|cell| {
+            cell.scenario == scenario && cell.method == method && cell.format == format
+        })
+    }
+}
+
+/// Writes `stress.json`, `stress.md` and `stress.svg` into `dir`, which is made where it does not exist; returns
+/// the paths written. Other files in `dir` stay.
+///
+/// # Errors
+/// [`ReportError::Directory`] or [`ReportError::File`] with the path and the system's reason.
+pub fn write(dir: &Path, cells: &[Cell]) -> Result<Vec<PathBuf>, ReportError> {
+    let files = [
+        (dir.join("stress.svg"), heat_map(cells)?),
+        (dir.join("stress.json"), json(cells)?),
+        (dir.join("stress.md"), markdown(cells)),
+    ];
+    fs::create_dir_all(dir).map_err(|reason| ReportError::Directory {
+        path: dir.into(),
+        reason,
+    })?;
+    for (path, contents) in &files {
+        write_file(path, contents)?;
+    }
+    Ok(files.into_iter().map(|(path, _)| path).collect())
+}

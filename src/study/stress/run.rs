@@ -1,0 +1,281 @@
+//! All scenarios, methods and formats, in parallel.
+
+use super::cell::Cell;
+use super::exact::{Exact, exact};
+use super::facts::facts;
+use super::judge::{Ran, digits, relative_error, verdict};
+use super::medium::Medium;
+use super::method::Kind;
+use super::places::Places;
+use super::promise::{Promise, promise};
+use super::range::Range;
+use super::scenario::Scenario;
+use super::watched::{Events, Watched};
+use super::{StressError, Verdict};
+use crate::case::{Case, Nodes, Transfer};
+use crate::method::{
+    Accumulation, CompositingOrder, Method, MethodError, OpacityFormula, Position,
+};
+use crate::real::{Format, FormatName, Native, Real};
+use crate::study::Progress;
+use half::{bf16, f16};
+use rayon::prelude::*;
+use rug::{Float, Rational};
+use std::cmp::Reverse;
+
+/// What to run.
+#[derive(Clone, Debug)]
+pub struct Settings {
+    /// The extremes.
+    pub scenarios: Vec<Scenario>,
+    /// The methods, each of a known [`Kind`].
+    pub methods: Vec<Method>,
+    /// The formats: any but MPFR, which has no ends within reach.
+    pub formats: Vec<FormatName>,
+}
+
+/// Segments beyond which a cell is left out.
+const MOST: u64 = 1 << 24;
+/// The same of methods that keep all segments in memory.
+const MOST_KEPT: u64 = 1 << 20;
+/// The same of emulated and 16-bit formats, and of pre-integration.
+const MOST_SLOW: u64 = 1 << 16;
+
+/// The cells, scenario by scenario, method by method, format by format.
+///
+/// # Errors
+/// [`StressError`] where a method has no bound or a format no ends.
+pub fn run(settings: &Settings, progress: &dyn Progress) -> Result<Vec<Cell>, StressError> {
+    for format in &settings.formats {
+        if matches!(format, FormatName::Mpfr(_)) {
+            return Err(StressError::Format {
+                name: format.to_string(),
+            });
+        }
+    }
+    let mut tasks = Vec::new();
+    for scenario in &settings.scenarios {
+        for method in &settings.methods {
+            let kind = Kind::of(method)?;
+            for &format in &settings.formats {
+                tasks.push((tasks.len(), scenario, method, kind, format));
+            }
+        }
+    }
+    tasks.sort_by_key(|(_, scenario, ..)| Reverse(scenario.n));
+    let mut cells: Vec<(usize, Cell)> = tasks
+        .into_par_iter()
+        .with_max_len(1)
+        .map(|(place, scenario, method, kind, format)| {
+            let cell = cell(scenario, method, kind, format);
+            progress.advance(scenario.n);
+            (place, cell)
+        })
+        .collect();
+    cells.sort_by_key(|(place, _)| *place);
+    Ok(cells.into_iter().map(|(_, cell)| cell).collect())
+}
+
+/// The units that [`Progress`] will hear of in all.
+#[must_use]
+pub fn work(settings: &Settings) -> u64 {
+    let segments: u64 = settings.scenarios.iter().map(|scenario| scenario.n).sum();
+    segments * (settings.methods.len() * settings.formats.len()) as u64
+}
+
+fn cell(scenario: &Scenario, method: &Method, kind: Kind, format: FormatName) -> Cell {
+    let mut cell = Cell {
+        scenario: scenario.name.clone(),
+        method: method.name(),
+        format: format.to_string(),
+        n: scenario.n,
+        digits: None,
+        against_radiance: None,
+        promised: 0.0,
+        verdict: None,
+        reason: None,
+    };
+    if let Some(reason) = left_out(kind, format, scenario.n) {
+        cell.verdict = Some(Verdict::LeftOut);
+        cell.reason = Some(reason);
+        return cell;
+    }
+    let known = exact(&scenario.medium, method, kind, scenario.n);
+    let run = known.and_then(|exact| {
+        let run = Run {
+            scenario,
+            method,
+            kind,
+            exact: &exact,
+        };
+        match format {
+            FormatName::F16 => run.fill(&mut cell, Native::<f16>::new()),
+            FormatName::Bf16 => run.fill(&mut cell, Native::<bf16>::new()),
+            FormatName::F32 => run.fill(&mut cell, Native::<f32>::new()),
+            FormatName::F64 => run.fill(&mut cell, Native::<f64>::new()),
+            FormatName::Ieee(format) => run.fill(&mut cell, format),
+            FormatName::Fixed(format) => run.fill(&mut cell, format),
+            // Refused beforehand.
+            FormatName::Mpfr(_) => Ok(()),
+        }
+    });
+    if let Err(error) = run {
+        cell.verdict = Some(Verdict::Refused);
+        cell.reason = Some(error.to_string());
+    }
+    cell
+}
+
+/// Why a cell is not run.
+fn left_out(kind: Kind, format: FormatName, n: u64) -> Option<String> {
+    let slow_format = !matches!(format, FormatName::F32 | FormatName::F64);
+    let keeps = match kind {
+        Kind::Simpson => true,
+        Kind::Composited(compositing) => compositing.order == CompositingOrder::BackToFront,
+        Kind::Trapezoid | Kind::ClosedSegments | Kind::SubIntervals(_) => false,
+    };
+    let segments = matches!(kind, Kind::ClosedSegments | Kind::SubIntervals(_));
+    let (most, why) = if slow_format {
+        (MOST_SLOW, "of 16 bits or emulated formats")
+    } else if segments {
+        (MOST_SLOW, "of pre-integration")
+    } else if keeps {
+        (MOST_KEPT, "kept in memory")
+    } else {
+        (MOST, "at all")
+    };
+    (n > most).then(|| format!("more than {most} segments {why}"))
+}
+
+struct Run<'a> {
+    scenario: &'a Scenario,
+    method: &'a Method,
+    kind: Kind,
+    exact: &'a Exact,
+}
+
+impl Run<'_> {
+    /// Runs it in a format and says what came of it.
+    fn fill<F: Range>(&self, cell: &mut Cell, format: F) -> Result<(), MethodError> {
+        let Scenario { medium, n, .. } = self.scenario;
+        let rounding = format.rounding();
+        let ran = self.observe(format)?;
+        let facts = facts(medium, *n, self.kind, &self.exact.approximation);
+        let promise = promise(self.kind, &facts, &rounding);
+        let to_digits = |exact: &Float| relative_error(&ran.radiance, exact).map(digits);
+        cell.digits = to_digits(&self.exact.approximation);
+        cell.against_radiance = self.exact.radiance.as_ref().and_then(to_digits);
+        cell.promised = Promise::digits(promise.roundoff + promise.underflow);
+        cell.verdict = verdict(&ran, self.exact, &promise, &rounding, *n);
+        Ok(())
+    }
+
+    fn observe<F: Range>(&self, format: F) -> Result<Ran, MethodError> {
+        let Scenario { medium, n, .. } = self.scenario;
+        let watched = Watched(format);
+        let places = Places::new(medium, watched);
+        let step = watched.ratio(&(medium.length() / *n));
+        let mut ran = Ran {
+            radiance: Float::new(2),
+            events: Events::NONE,
+            lost: 0.0,
+            of_inputs: step.events,
+            thickest: Float::new(2),
+            negative_medium: false,
+            linear: is_linear(self.kind),
+            diverged: diverges(medium, *n, places_in_segment(self.kind), format),
+        };
+        let mut see = |transfer: Transfer<_>| look(&mut ran, transfer, &step);
+        if medium.is_uniform() {
+            places.march(1).take(1).for_each(&mut see);
+        } else {
+            places.march(*n).for_each(&mut see);
+            let half = Rational::from((1, 2));
+            places.march_inside(*n, half).for_each(&mut see);
+        }
+        let radiance = self.method.radiance(&places, *n)?;
+        ran.radiance = radiance.to_float();
+        ran.events = radiance.events;
+        ran.lost = f64::from(radiance.lost);
+        Ok(ran)
+    }
+}
+
+/// What one place adds to what is known of a run's inputs.
+fn look<F: Range>(
+    ran: &mut Ran,
+    transfer: Transfer<super::watched::Observed<F>>,
+    step: &super::watched::Observed<F>,
+) {
+    let Transfer {
+        emission,
+        extinction,
+    } = transfer;
+    ran.negative_medium |= F::is_negative(&emission.value) || F::is_negative(&extinction.value);
+    let depth = extinction * step;
+    ran.of_inputs |= emission.events | depth.events;
+    let depth = depth.to_float();
+    if depth > ran.thickest {
+        ran.thickest = depth;
+    }
+}
+
+/// Opacities are τ d, and the transmittance is made of them.
+fn is_linear(kind: Kind) -> bool {
+    let Kind::Composited(compositing) = kind else {
+        return false;
+    };
+    let by_depths = matches!(
+        compositing.order,
+        CompositingOrder::FrontToBack {
+            depth: Accumulation::Depths,
+            ..
+        }
+    );
+    compositing.opacity == OpacityFormula::Linear && !by_depths
+}
+
+/// Places are multiples of this part of a segment.
+fn places_in_segment(kind: Kind) -> u32 {
+    match kind {
+        Kind::Trapezoid | Kind::ClosedSegments => 1,
+        Kind::Simpson => 2,
+        Kind::Composited(compositing) => match compositing.position {
+            Position::Middle => 2,
+            Position::Front | Position::Back => 1,
+        },
+        Kind::SubIntervals(count) => count,
+    }
+}
+
+/// Whether a place, or a jump, may be rounded across the other.
+fn diverges<F: Range>(medium: &Medium, n: u64, parts: u32, format: F) -> bool {
+    let edges = medium.edges();
+    if edges.is_empty() {
+        return false;
+    }
+    let length = medium.length();
+    let off = |exact: &Rational| {
+        let rounded = format.ratio(exact).to_rational();
+        rounded.map(|rounded| (rounded - exact).abs())
+    };
+    let rounding = format.rounding();
+    // What interpolation makes of places that are rounded: a few roundings more.
+    let few = Float::with_val(64, rounding.unit.max(rounding.log2_quantum.exp2())) * 4_u32;
+    let few = few.to_rational().unwrap_or_default() * &length;
+    (0..=n * u64::from(parts)).any(|i| {
+        let place = Rational::from(&length * i) / n / parts;
+        let by_place = match off(&place) {
+            Some(off) if off == 0 => Rational::new(),
+            _ => few.clone(),
+        };
+        edges.iter().any(|edge| {
+            let Some(by_edge) = off(edge) else {
+                return true;
+            };
+            let both = by_edge + &by_place;
+            let distance = Rational::from(edge - &place).abs();
+            both > 0 && distance <= both
+        })
+    })
+}
