@@ -67,7 +67,7 @@ fn a_study_has_all_outputs_whatever_the_number_of_threads() {
         .assert()
         .code(0)
         .stderr("")
-        .stdout(contains("sine-squared, trapezoid × trapezoid: theory 2\n"))
+        .stdout(contains("sine-squared, trapezoid/trapezoid: theory 2\n"))
         .stdout(contains("18 lines, discretization: "))
         .stdout(contains(" files in "));
     study(&two, &["--threads", "2", "--quiet"])
@@ -145,7 +145,7 @@ fn summaries(document: &Value) {
     let first = &rows[0];
     assert_eq!(
         (&first["method"], &first["format"]),
-        (&"trapezoid × trapezoid".into(), &"f32".into())
+        (&"trapezoid/trapezoid".into(), &"f32".into())
     );
     assert_eq!(first["discretization"]["verdict"], "Confirmed");
     assert!((first["discretization"]["order"].as_f64().unwrap() - 2.0).abs() < 0.02);
@@ -303,7 +303,7 @@ fn a_file_says_what_options_do_and_options_go_before_it() {
     assert_eq!(cases, wanted);
     assert_eq!(
         settings["methods"],
-        serde_json::json!(["midpoint × midpoint"])
+        serde_json::json!(["midpoint/midpoint"])
     );
     assert_eq!(
         settings["formats"],
@@ -333,81 +333,78 @@ fn bad_input_is_named_in_one_line() {
     for (more, message) in [
         (
             &["--methods", "trapezoid/simpsn"][..],
-            "--methods: method 'trapezoid/simpsn': unknown outer rule 'simpsn' (allowed: ".into(),
+            "--methods: method 'trapezoid/simpsn': unknown outer rule 'simpsn' (allowed: ",
         ),
         (
             &["--methods", "trapezoid"],
-            "--methods: method 'trapezoid': outer rule missing at the end (allowed: ".into(),
+            "--methods: method 'trapezoid': outer rule missing at the end (allowed: ",
         ),
         (
             &["--methods", " ,"],
-            "--methods: no methods (allowed: one or more)".into(),
+            "--methods: no methods (allowed: one or more)",
         ),
         (
             &["--methods", "boole/boole,boole/boole"],
-            "--methods: 'boole/boole' a second time (allowed: each method once)".into(),
+            "--methods: 'boole/boole' a second time (allowed: each method once)",
         ),
         (
             &["--formats", "f31"],
-            "--formats: unknown format 'f31' (allowed: f16, ".into(),
+            "--formats: unknown format 'f31' (allowed: f16, ",
         ),
         (
             &["--formats", "ieee:11,-14"],
-            "--formats: '11,-14' of format 'ieee:11,-14' are no three".into(),
+            "--formats: '11,-14' of format 'ieee:11,-14' are no three",
         ),
         (
             &["--formats", "f32", "--formats", "f32"],
-            "--formats: 'f32' a second time (allowed: each format once)".into(),
+            "--formats: 'f32' a second time (allowed: each format once)",
         ),
         (
             &["--formats", ""],
-            "--formats: no formats (allowed: one or more)".into(),
+            "--formats: no formats (allowed: one or more)",
         ),
         (
             &["--levels", "ten"],
-            "--levels: ladder 'ten' has no known form (allowed: ".into(),
+            "--levels: ladder 'ten' has no known form (allowed: ",
         ),
         (
             &["--levels", "d=0.1"],
-            "--levels: 'd=0.1' is a ladder of steps (allowed: numbers of segments)".into(),
+            "--levels: 'd=0.1' is a ladder of steps (allowed: numbers of segments)",
         ),
         (
             &["--sweep-bits", "9..4"],
-            "--sweep-bits: '9..4' is no range of bits (allowed: A..B with 2 ≤ A ≤ B ≤ 256)".into(),
+            "--sweep-bits: '9..4' is no range of bits (allowed: A..B with 2 ≤ A ≤ B ≤ 256)",
         ),
         (
             &["--sweep-bits", "1..9"],
-            "--sweep-bits: '1..9' is no range of bits".into(),
+            "--sweep-bits: '1..9' is no range of bits",
         ),
         (
             &["--resume"],
-            "the following required arguments were not provided: --out <DIR>".into(),
+            "the following required arguments were not provided: --out <DIR>",
         ),
         (
             &["--threads", "0"],
-            "invalid value '0' for '--threads <N>': 0 is not in 1..=1024".into(),
+            "invalid value '0' for '--threads <N>': 0 is not in 1..=1024",
         ),
         (
             &["--json", "-", "--csv", "-"],
-            "'--json -' and '--csv -' both go to standard output".into(),
+            "'--json -' and '--csv -' both go to standard output",
         ),
         (
             &["--cases", "homogeneous"],
-            "--cases: a case 'homogeneous' a second time (allowed: each name once)".into(),
+            "--cases: a case 'homogeneous' a second time (allowed: each name once)",
         ),
-        (
-            &["--cases", "nowhere"],
-            "--cases: no case 'nowhere' (".into(),
-        ),
+        (&["--cases", "nowhere"], "--cases: no case 'nowhere' ("),
         (
             &["--cases", "rgb-transfer/pink"],
-            "--cases: no channel 'pink' in rgb-transfer (allowed: ".into(),
+            "--cases: no channel 'pink' in rgb-transfer (allowed: ",
         ),
         (
             &["--cases", "@nothing"],
-            "--cases: no case has the tag 'nothing' (allowed: ".into(),
+            "--cases: no case has the tag 'nothing' (allowed: ",
         ),
-        (&["--cases", "no/where.toml"], "no/where.toml: ".into()),
+        (&["--cases", "no/where.toml"], "no/where.toml: "),
     ] {
         refused(&[&cases, more].concat(), &format!("volver: {message}"));
     }
