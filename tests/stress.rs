@@ -10,7 +10,7 @@ use std::collections::BTreeSet;
 use std::sync::LazyLock;
 use volver::case::{Fresh, HomogeneousSlab};
 use volver::method::Method;
-use volver::real::Mpfr;
+use volver::real::{Mpfr, Native};
 use volver::study::Silent;
 use volver::study::stress::{
     Cell, Digits, FORMATS, Kind, METHODS, Medium, Scenario, Settings, Verdict, exact, run,
@@ -119,6 +119,30 @@ fn closed_forms_are_what_the_methods_give() {
     }
 }
 
+/// A watched format computes what the format computes.
+#[test]
+fn digits_are_those_of_plain_runs() {
+    for scenario in scenarios(None, &[1, 2]) {
+        if !["depth", "flat", "segments"].contains(&scenario.group) {
+            continue;
+        }
+        for name in METHODS {
+            let cell = cell(&scenario.name, name, "f32");
+            let Some(Digits::Of(found)) = cell.digits else {
+                continue;
+            };
+            let method: Method = name.parse().unwrap();
+            let kind = Kind::of(&method).unwrap();
+            let nodes = Fresh::new(&scenario.medium, Native::<f32>::new());
+            let plain = method.radiance(&nodes, scenario.n).unwrap();
+            let exact = exact(&scenario.medium, &method, kind, scenario.n).unwrap();
+            let error = Float::with_val(400, plain - &exact.approximation) / exact.approximation;
+            let digits = -error.abs().log10().to_f64();
+            assert!((digits.max(0.0) - found).abs() < 1e-9, "{digits} {cell:?}");
+        }
+    }
+}
+
 #[test]
 fn methods_without_a_bound_and_formats_without_ends_are_refused() {
     for name in [
@@ -155,7 +179,8 @@ fn binary32_stalls_at_two_to_the_24() {
     };
     // 3/8 instead of 1 − e^(−3/8) = 0.3127: T stayed 1.
     assert!(stalled < 1.0, "{stalled}");
-    assert!(cells[2].digits.unwrap().reach(5.5), "{:?}", cells[2]);
+    // What it keeps of the sums it sums naively.
+    assert!(cells[2].digits.unwrap().reach(2.5), "{:?}", cells[2]);
     assert!(cells.iter().all(|cell| !cell.is_silently_wrong()));
 }
 

@@ -186,12 +186,21 @@ impl Run<'_> {
             diverged: diverges(medium, *n, places_in_segment(self.kind), format),
         };
         let mut see = |transfer: Transfer<_>| look(&mut ran, transfer, &step);
+        let whole = usize::try_from(*n).unwrap_or(usize::MAX);
+        let (boundaries, middles) = places_of(self.kind, whole);
         if medium.is_uniform() {
             places.march(1).take(1).for_each(&mut see);
         } else {
-            places.march(*n).for_each(&mut see);
+            let seen = places
+                .march(*n)
+                .skip(boundaries.start)
+                .take(boundaries.len());
+            seen.for_each(&mut see);
             let half = Rational::from((1, 2));
-            places.march_inside(*n, half).for_each(&mut see);
+            places
+                .march_inside(*n, half)
+                .take(middles)
+                .for_each(&mut see);
         }
         let radiance = self.method.radiance(&places, *n)?;
         ran.radiance = radiance.to_float();
@@ -233,6 +242,19 @@ fn is_linear(kind: Kind) -> bool {
         }
     );
     compositing.opacity == OpacityFormula::Linear && !by_depths
+}
+
+/// Which of the n + 1 boundaries are looked at, and how many of the middles.
+fn places_of(kind: Kind, n: usize) -> (std::ops::Range<usize>, usize) {
+    match kind {
+        Kind::Composited(compositing) => match compositing.position {
+            Position::Front => (0..n, 0),
+            Position::Middle => (0..0, n),
+            Position::Back => (1..n.saturating_add(1), 0),
+        },
+        Kind::Trapezoid | Kind::ClosedSegments => (0..n.saturating_add(1), 0),
+        Kind::Simpson | Kind::SubIntervals(_) => (0..n.saturating_add(1), n),
+    }
 }
 
 /// Places are multiples of this part of a segment.
