@@ -9,7 +9,7 @@ use volver::real::Format;
 /// C and τ of one segment as m·2^(−16 − shift) with m ≤ 2¹⁶: numbers in [0, 1] that most formats round, and
 /// that reach down to subnormal numbers of binary16, of binary32 and of binary64.
 #[derive(Clone, Copy, Debug)]
-pub struct Sample {
+pub(crate) struct Sample {
     emission: (u32, u32),
     extinction: (u32, u32),
 }
@@ -39,16 +39,16 @@ fn value((mantissa, shift): (u32, u32)) -> Rational {
 }
 
 /// Exact C and τ, segment by segment, front to back.
-pub type Medium = Vec<(Rational, Rational)>;
+pub(crate) type Medium = Vec<(Rational, Rational)>;
 
 /// The samples as they are.
-pub fn extreme(samples: &[Sample]) -> Medium {
+pub(crate) fn extreme(samples: &[Sample]) -> Medium {
     let exact = |sample: &Sample| (value(sample.emission), value(sample.extinction));
     samples.iter().map(exact).collect()
 }
 
 /// At most six of them, with C in eighths between 1/4 and 1/2 and τ between 1/4 and 1/2: no product is small.
-pub fn tame(samples: &[Sample]) -> Medium {
+pub(crate) fn tame(samples: &[Sample]) -> Medium {
     let between = |(mantissa, _): (u32, u32)| Rational::from(mantissa) / (1_u32 << 18);
     let one = |sample: &Sample| {
         let emission = Rational::from((2 + sample.emission.0 % 3, 8));
@@ -63,7 +63,7 @@ pub fn tame(samples: &[Sample]) -> Medium {
 /// Nodes whose values are given, not computed: sample j is that of segment j wherever it is looked at, the last
 /// one also at the far end.
 #[derive(Debug)]
-pub struct Columns<F: Format> {
+pub(crate) struct Columns<F: Format> {
     format: F,
     length: Rational,
     column: Arc<Column<F::Real>>,
@@ -71,7 +71,7 @@ pub struct Columns<F: Format> {
 
 impl<F: Format> Columns<F> {
     /// Segments of length `step`, each with its C and τ rounded to the format.
-    pub fn new(format: F, medium: &[(Rational, Rational)], step: &Rational) -> Self {
+    pub(crate) fn new(format: F, medium: &[(Rational, Rational)], step: &Rational) -> Self {
         let round = |q: &Rational| format.ratio(q);
         let with_end = || medium.iter().chain(medium.last());
         Columns {
@@ -85,7 +85,7 @@ impl<F: Format> Columns<F> {
         }
     }
 
-    pub fn segments(&self) -> u64 {
+    pub(crate) fn segments(&self) -> u64 {
         self.column.field.len() as u64 - 1
     }
 }

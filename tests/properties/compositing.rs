@@ -5,7 +5,7 @@ use super::{FORMATS, Rounding, exact, size};
 use quickcheck::quickcheck;
 use rug::Rational;
 use volver::method::{Compositing, Method, OpacityFormula, Stop};
-use volver::real::{Format, FormatName, Native, Real, WithFormat};
+use volver::real::{Format, FormatName, Native, WithFormat};
 
 const OPACITIES: [OpacityFormula; 4] = [
     OpacityFormula::Subtraction,

@@ -18,11 +18,11 @@ pub(in crate::study::stress) struct Observed<F: Format> {
     pub(in crate::study::stress) events: Events,
 }
 
-/// |a|/|b|.
+/// |a|/|b| of numbers that are not 0: never 0 itself, however small.
 pub(super) fn quotient<R: Real>(a: &R, b: &R) -> f32 {
     #[allow(clippy::cast_possible_truncation)] // An estimate, and saturating.
     let quotient = (a.log2_abs() - b.log2_abs()).exp2() as f32;
-    quotient
+    quotient.max(f32::MIN_POSITIVE)
 }
 
 impl<F: Range> Observed<F> {
