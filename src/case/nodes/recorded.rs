@@ -1,6 +1,6 @@
 //! What a run really used, kept to be used again.
 
-use super::replayed::{Exactly, Replayed};
+use super::replayed::{Exactly, Key, Replayed};
 use super::{Column, Nodes, Number};
 use crate::case::{Case, PolynomialTransfer, Transfer};
 use crate::real::{Format, Real};
@@ -22,7 +22,7 @@ pub struct Recorded<'a, N: Nodes> {
 #[derive(Debug)]
 struct Log<R> {
     /// By n and offset; boundaries have no offset.
-    columns: BTreeSet<(u64, Option<Rational>)>,
+    columns: BTreeSet<Key>,
     /// λ, and τ there.
     extinctions: Vec<(R, R)>,
     /// s, and C and τ of it.
@@ -33,7 +33,7 @@ struct Log<R> {
 #[derive(Clone, Debug)]
 pub struct Recording<'a> {
     pub(super) nodes: Arc<dyn Exactly + 'a>,
-    pub(super) columns: Arc<BTreeSet<(u64, Option<Rational>)>>,
+    pub(super) columns: Arc<BTreeSet<Key>>,
     /// τ, in the order in which it was asked for.
     pub(super) extinctions: Arc<[Float]>,
     /// C and τ.

@@ -14,6 +14,9 @@ use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
 /// product of two.
 const OFFSET_BITS: u32 = 60;
 
+/// n, and the offset inside segments.
+pub(super) type Key = (u64, Option<Rational>);
+
 /// Nodes of any format, their values as they are.
 pub(super) trait Exactly: Debug + Sync + Send {
     fn bits(&self) -> u32;
@@ -30,7 +33,8 @@ pub(super) trait Exactly: Debug + Sync + Send {
 pub struct Replayed<'a> {
     recording: Recording<'a>,
     format: Mpfr,
-    columns: Mutex<HashMap<(u64, Option<Rational>), Arc<Column<MpfrReal>>>>,
+    /// By n and offset; boundaries have no offset.
+    columns: Mutex<HashMap<Key, Arc<Column<MpfrReal>>>>,
     /// The same method in another format asked for what was not recorded.
     exhausted: AtomicBool,
     extinctions: AtomicUsize,
@@ -65,7 +69,7 @@ impl<'a> Replayed<'a> {
             && asked(&self.transfers) == self.recording.transfers.len()
     }
 
-    pub(super) fn columns(&self) -> &BTreeSet<(u64, Option<Rational>)> {
+    pub(super) fn columns(&self) -> &BTreeSet<Key> {
         &self.recording.columns
     }
 

@@ -27,7 +27,7 @@ impl Curve {
     pub(super) fn new(points: &[(f64, f64)], order: Option<f64>) -> Option<Curve> {
         let finite = points.iter().filter(|p| p.0.is_finite() && p.1.is_finite());
         let octaves = finite.collect::<Vec<_>>();
-        let octaves = octaves.chunk_by(|a, b| a.0.round() == b.0.round());
+        let octaves = octaves.chunk_by(|a, b| a.0.round().total_cmp(&b.0.round()).is_eq());
         let slope = order.unwrap_or(0.0);
         let points: Vec<(f64, f64)> = octaves.map(|o| root_mean_square(o, slope)).collect();
         let last_pair = match points[..] {

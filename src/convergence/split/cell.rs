@@ -7,7 +7,7 @@ use serde::Serialize;
 /// The signed parts of an error; they add up to `total`.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Split {
-    /// Q_f − I.
+    /// `Q_f` − I.
     #[serde(serialize_with = "serialize_float")]
     pub total: Float,
     /// Q_∞ − I, of the whole ray.
@@ -19,7 +19,7 @@ pub struct Split {
     /// Q_∞(the inputs f used) − Q_∞.
     #[serde(serialize_with = "serialize_float")]
     pub input: Float,
-    /// Q_f − Q_∞(the inputs f used).
+    /// `Q_f` − Q_∞(the inputs f used).
     #[serde(serialize_with = "serialize_float")]
     pub arithmetic: Float,
     /// The share of `arithmetic` that comes of the transmittances; `None` where a method has none of its own.
@@ -58,19 +58,19 @@ pub enum Cell {
     /// The run in f stood on another side of a jump, or stopped elsewhere, than the same code in MPFR: its
     /// inputs belong to another problem.
     BranchDiverged {
-        /// Q_f − I.
+        /// `Q_f` − I.
         #[serde(serialize_with = "serialize_float")]
         total: Float,
     },
     /// NaN or ∞ in the run or in its oracle.
     NotFinite {
-        /// Q_f − I, not finite where the run is not.
+        /// `Q_f` − I, not finite where the run is not.
         #[serde(serialize_with = "serialize_float")]
         total: Float,
     },
     /// Doubling the oracle's bits went on changing a part up to so many bits.
     Unsettled {
-        /// Q_f − I.
+        /// `Q_f` − I.
         #[serde(serialize_with = "serialize_float")]
         total: Float,
         /// The most bits that were tried.
@@ -79,7 +79,7 @@ pub enum Cell {
 }
 
 impl Cell {
-    /// Q_f − I.
+    /// `Q_f` − I.
     #[must_use]
     pub fn total(&self) -> &Float {
         match self {

@@ -1,12 +1,12 @@
 //! Discretization error separated from roundoff, by recording and replaying.
 //!
-//! For one method on one case with n segments in a format f, whose radiance is Q_f:
+//! For one method on one case with n segments in a format f, whose radiance is `Q_f`:
 //!
 //! | part | is |
 //! |---|---|
 //! | discretization | Q_∞ − I, where Q_∞ is the same code in MPFR with enough bits |
 //! | input rounding | Q_∞(the inputs f used) − Q_∞: the errors of C, τ and s, evaluated in f |
-//! | arithmetic rounding | Q_f − Q_∞(the inputs f used): d, weights, exponentials, sums |
+//! | arithmetic rounding | `Q_f` − Q_∞(the inputs f used): d, weights, exponentials, sums |
 //! | truncation | Q_∞ stopped − Q_∞, where a method stops early; discretization is then that of the whole ray |
 //!
 //! The inputs are the values that the run in f really used at every node it touched; they are recorded and

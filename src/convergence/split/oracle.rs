@@ -251,7 +251,7 @@ impl<'c, C: Case> Oracle<'c, C> {
         row
     }
 
-    /// Q_f − I alone.
+    /// `Q_f` − I alone.
     fn total<N: Nodes>(&self, nodes: &N, n: u64, method: usize) -> Result<Float, ReferenceError> {
         let bits = first_bits(nodes.format().bits());
         let radiance = self.radiance(bits)?;

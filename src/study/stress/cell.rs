@@ -35,9 +35,9 @@ pub struct Cell {
     pub format: String,
     /// n.
     pub n: u64,
-    /// Digits of Q_f against Q_∞, roundoff alone; `None` where one of them is no number.
+    /// Digits of `Q_f` against Q_∞, roundoff alone; `None` where one of them is no number.
     pub digits: Option<Digits>,
-    /// Digits of Q_f against I; `None` also where I is unknown.
+    /// Digits of `Q_f` against I; `None` also where I is unknown.
     pub against_radiance: Option<Digits>,
     /// The digits that the bound of roundoff promises.
     pub promised: f64,

@@ -11,11 +11,11 @@ use rug::Float;
 /// A run in a watched format.
 #[derive(Clone, Debug)]
 pub(super) struct Ran {
-    /// Q_f, not finite where it is not.
+    /// `Q_f`, not finite where it is not.
     pub(super) radiance: Float,
     /// What befell it.
     pub(super) events: Events,
-    /// What was added and changed nothing, relative to Q_f, at most.
+    /// What was added and changed nothing, relative to `Q_f`, at most.
     pub(super) lost: f64,
     /// What befell C, τ and τ d.
     pub(super) of_inputs: Events,
@@ -29,7 +29,7 @@ pub(super) struct Ran {
     pub(super) diverged: bool,
 }
 
-/// |Q_f − Q|/|Q|; `None` where one is no number, or Q alone is 0.
+/// |`Q_f` − Q|/|Q|; `None` where one is no number, or Q alone is 0.
 pub(super) fn relative_error(found: &Float, exact: &Float) -> Option<f64> {
     if !found.is_finite() || !exact.is_finite() {
         return None;

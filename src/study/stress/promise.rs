@@ -1,4 +1,4 @@
-//! What roundoff may do: a bound of |Q_f − Q_∞|/|Q_∞| known before the run.
+//! What roundoff may do: a bound of |`Q_f` − Q_∞|/|Q_∞| known before the run.
 //!
 //! The model is fl(a ∘ b) = (a ∘ b)(1 + δ) + ε, |δ| ≤ u and |ε| ≤ η: η = 0 where nothing underflows, u = 0 in a
 //! fixed-point format. Exponentials are good to 2 u. C and τ come in with v units of error (v = 1 for rounded

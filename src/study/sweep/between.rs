@@ -14,7 +14,10 @@ pub fn between(levels: &[u64]) -> Vec<u64> {
     for pair in levels.windows(2).filter(|pair| pair[1] <= FINEST) {
         let (low, ratio) = (pair[0] as f64, pair[1] as f64 / pair[0] as f64);
         for share in [1.0 / 3.0, 2.0 / 3.0] {
-            let n = ((low * ratio.powf(share) / MULTIPLE).round() * MULTIPLE) as u64;
+            let wanted = (low * ratio.powf(share) / MULTIPLE).round() * MULTIPLE;
+            // A whole number up to 4096.
+            #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss)]
+            let n = wanted as u64;
             let is_new = n > pair[0] && n < pair[1] && all.last() != Some(&n);
             if is_new && !n.is_power_of_two() {
                 all.push(n);
