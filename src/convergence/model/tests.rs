@@ -84,7 +84,7 @@ fn the_crossing_and_the_best_accuracy_are_those_in_closed_form() {
 #[test]
 fn the_fewest_bits_for_a_tolerance_reach_it_and_one_less_does_not() {
     let model = model(1.0, 2.0, 1e-8, 0.5);
-    for log2_tolerance in [-10.0, -20.0, -40.0, -200.0] {
+    for log2_tolerance in [-10.0, -20.0, -40.0, -100.0] {
         let bits = model.bits_for(log2_tolerance).unwrap();
         let best = |bits: u32| {
             let b = 1e-8 * f64::from(24_i32 - bits.cast_signed()).exp2();
@@ -100,6 +100,12 @@ fn the_fewest_bits_for_a_tolerance_reach_it_and_one_less_does_not() {
             "{bits} for {log2_tolerance}"
         );
     }
+}
+
+/// n⁻² ≤ 2⁻²⁰⁰ takes 2¹⁰⁰ segments.
+#[test]
+fn a_tolerance_that_takes_too_many_segments_has_no_bits() {
+    assert_eq!(model(1.0, 2.0, 1e-8, 0.5).bits_for(-200.0), None);
 }
 
 #[test]

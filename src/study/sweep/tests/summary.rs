@@ -62,6 +62,7 @@ fn levels_without_errors_are_left_out() {
     for level in &mut unit.rows[0].levels {
         *level = refused(level.n);
     }
+    unit.rows[0].between.clear();
     let nothing = summarize(&unit, &unit.rows[0], 1.0).unwrap();
     assert_eq!(nothing.discretization.verdict, Verdict::TooFewLevels);
     assert_eq!((nothing.crossing, nothing.best), (None, None));
