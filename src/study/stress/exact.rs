@@ -74,7 +74,7 @@ fn of_slab(slab: &HomogeneousSlab, kind: Kind, n: u64) -> Float {
     let depth = Rational::from(&slab.extinction * &slab.length);
     let emission = float(&slab.emission);
     if depth == 0 {
-        return emission * 0_u32;
+        return Float::new(ORACLE_BITS);
     }
     let t = float(&depth);
     let x = float(&Rational::from(&depth / n));

@@ -29,7 +29,7 @@ pub(super) struct Ran {
     pub(super) diverged: bool,
 }
 
-/// |`Q_f` − Q|/|Q|; `None` where one is no number, or Q alone is 0.
+/// `|Q_f − Q|/|Q|`; `None` where one is no number, or Q alone is 0.
 pub(super) fn relative_error(found: &Float, exact: &Float) -> Option<f64> {
     if !found.is_finite() || !exact.is_finite() {
         return None;

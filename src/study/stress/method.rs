@@ -61,7 +61,6 @@ fn known(method: &Method) -> Option<Kind> {
             (Rule::Simpson, Rule::Simpson) => Some(Kind::Simpson),
             _ => None,
         },
-        Method::Nested(_) => None,
         Method::Composited(compositing) => {
             let stops = matches!(
                 compositing.order,
@@ -89,6 +88,6 @@ fn known(method: &Method) -> Option<Kind> {
             } => Some(Kind::SubIntervals(count)),
             Integration::SubIntervals { .. } => None,
         },
-        Method::Preintegrated(_) => None,
+        Method::Nested(_) | Method::Preintegrated(_) => None,
     }
 }

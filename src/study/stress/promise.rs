@@ -1,4 +1,8 @@
+<<<<<<< HEAD
 //! What roundoff may do: a bound of |`Q_f` − Q_∞|/|Q_∞| known before the run.
+=======
+//! What roundoff may do: a bound of `|Q_f − Q_∞|/|Q_∞|` known before the run.
+>>>>>>> 671d4c4 (Stress: lints)
 //!
 //! The model is fl(a ∘ b) = (a ∘ b)(1 + δ) + ε, |δ| ≤ u and |ε| ≤ η: η = 0 where nothing underflows, u = 0 in a
 //! fixed-point format. Exponentials are good to 2 u. C and τ come in with v units of error (v = 1 for rounded
@@ -185,11 +189,13 @@ fn fixed(kind: Kind, facts: &Facts, eta: f64) -> f64 {
     let x = eta * (extinction + step + 1.0);
     let largest = emission.max(1.0);
     let absolute = match kind {
-        // Its quotient is off by more than quanta.
+        // A quotient is off by more than quanta; of series nothing is known.
         Kind::Composited(Compositing {
             opacity: OpacityFormula::Relative,
             ..
-        }) => f64::INFINITY,
+        })
+        | Kind::ClosedSegments
+        | Kind::SubIntervals(_) => f64::INFINITY,
         Kind::Composited(compositing) => {
             let own = n * largest * (2.0 * (x + 2.0 * eta) + 6.0 * eta);
             match compositing.order {
@@ -207,7 +213,6 @@ fn fixed(kind: Kind, facts: &Facts, eta: f64) -> f64 {
             let term = source * transmittance + eta * (extinction + emission + 5.0);
             1.5 * n * term * step + eta * (2.0 * n * source + 1.0) + n * eta * eta
         }
-        Kind::ClosedSegments | Kind::SubIntervals(_) => f64::INFINITY,
     };
     let [.., inverse] = facts.logs;
     absolute * inverse.exp2()

@@ -162,9 +162,10 @@ impl Run<'_> {
         let ran = self.observe(format)?;
         let facts = facts(medium, *n, self.kind, &self.exact.approximation);
         let promise = promise(self.kind, &facts, &rounding);
-        let to_digits = |exact: &Float| relative_error(&ran.radiance, exact).map(digits);
-        cell.digits = to_digits(&self.exact.approximation);
-        cell.against_radiance = self.exact.radiance.as_ref().and_then(to_digits);
+        let error = |exact| relative_error(&ran.radiance, exact);
+        cell.digits = error(&self.exact.approximation).map(digits);
+        let radiance = self.exact.radiance.as_ref();
+        cell.against_radiance = radiance.and_then(|exact| error(exact).map(digits));
         cell.promised = Promise::digits(promise.roundoff + promise.underflow);
         cell.verdict = verdict(&ran, self.exact, &promise, &rounding, *n);
         Ok(())

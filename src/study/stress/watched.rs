@@ -28,7 +28,7 @@ impl<F: Display> Display for Watched<F> {
 
 impl<F: Range> Watched<F> {
     /// A constant that is 0 or not.
-    fn constant(self, value: F::Real, is_zero: bool) -> Observed<F> {
+    fn constant(value: F::Real, is_zero: bool) -> Observed<F> {
         let mut events = Events::NONE;
         if !value.is_finite() {
             events |= Events::OVERFLOW;
@@ -53,16 +53,16 @@ impl<F: Range> Format for Watched<F> {
     }
     #[inline]
     fn int(self, n: i64) -> Observed<F> {
-        self.constant(self.0.int(n), n == 0)
+        Self::constant(self.0.int(n), n == 0)
     }
     fn ratio(self, q: &Rational) -> Observed<F> {
-        self.constant(self.0.ratio(q), *q == 0)
+        Self::constant(self.0.ratio(q), *q == 0)
     }
     #[inline]
     fn fraction(self, numerator: u64, denominator: u64) -> Observed<F> {
-        self.constant(self.0.fraction(numerator, denominator), numerator == 0)
+        Self::constant(self.0.fraction(numerator, denominator), numerator == 0)
     }
     fn pi(self) -> Observed<F> {
-        self.constant(self.0.pi(), false)
+        Self::constant(self.0.pi(), false)
     }
 }
