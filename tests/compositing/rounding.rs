@@ -131,6 +131,7 @@ fn expm1_and_the_relative_opacity_beat_subtraction_in_thin_segments() {
 }
 
 /// Nodes that keep no row of values.
+#[derive(Debug)]
 struct MarchOnly<'a, N>(&'a N);
 
 impl<N: Nodes> Nodes for MarchOnly<'_, N> {

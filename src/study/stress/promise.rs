@@ -1,8 +1,4 @@
-<<<<<<< HEAD
-//! What roundoff may do: a bound of |`Q_f` − Q_∞|/|Q_∞| known before the run.
-=======
 //! What roundoff may do: a bound of `|Q_f − Q_∞|/|Q_∞|` known before the run.
->>>>>>> 671d4c4 (Stress: lints)
 //!
 //! The model is fl(a ∘ b) = (a ∘ b)(1 + δ) + ε, |δ| ≤ u and |ε| ≤ η: η = 0 where nothing underflows, u = 0 in a
 //! fixed-point format. Exponentials are good to 2 u. C and τ come in with v units of error (v = 1 for rounded
