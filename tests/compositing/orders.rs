@@ -34,15 +34,15 @@ fn methods() -> Vec<Method> {
 fn end_samples<C: Case>(case: &C) -> f64 {
     let (front, back) = (FORMAT.int(0), FORMAT.ratio(&case.length()));
     let [at_front, at_back] = [&front, &back].map(|place| case.transfer(&case.field(place)));
-    let attenuation = (-case.optical_depth(&back)).exp();
-    let seen = case.radiance(&back) * &at_front.extinction;
+    let attenuation = (-case.optical_depth(&back).unwrap()).exp();
+    let seen = case.radiance(&back).unwrap() * &at_front.extinction;
     let source = at_front.emission * &at_front.extinction;
     let difference = source - &(at_back.emission * &at_back.extinction * &attenuation) - &seen;
     Float::from(difference).to_f64()
 }
 
 fn error<C: Case>(method: &Method, case: &C, n: u64) -> f64 {
-    let exact = case.radiance(&FORMAT.ratio(&case.length()));
+    let exact = case.radiance(&FORMAT.ratio(&case.length())).unwrap();
     let radiance = method.radiance(&Fresh::new(case, FORMAT), n).unwrap();
     Float::from(radiance - &exact).to_f64()
 }
@@ -69,7 +69,7 @@ fn smooth_cases_show_the_orders_expected() {
         for (m, method) in methods.iter().enumerate() {
             let theory = expected_on(method, &case, &LADDER);
             assert_eq!(theory, expected(method, &case));
-            let fit = fit(&samples(&case, &run, m, None), Some(theory)).unwrap();
+            let fit = fit(&samples(&case, &run, m, None).unwrap(), Some(theory)).unwrap();
             let last = fit.pairs.last().map_or(f64::NAN, |pair| pair.order);
             all += 1;
             confirmed += u32::from(fit.verdict.passes(Some(theory)));
@@ -105,7 +105,7 @@ fn broken_cases_show_the_orders_expected() {
             let Expected::Order(expected) = expected(method, &case) else {
                 continue;
             };
-            let samples = samples(&case, &run, m, None);
+            let samples = samples(&case, &run, m, None).unwrap();
             let errors: Vec<f64> = samples.iter().map(|s| s.error.to_f64().abs()).collect();
             let largest = |errors: &[f64]| errors.iter().copied().fold(0.0, f64::max).log2();
             let order = (largest(&errors[..8]) - largest(&errors[8..])) / 3.0;

@@ -100,7 +100,7 @@ fn samples_lie_where_the_position_says() {
 #[test]
 fn a_slab_is_exact_to_the_precision_given() {
     let length = |bits| Mpfr { bits }.ratio(&slab().length());
-    let exact: Float = slab().radiance(&length(1000)).into();
+    let exact: Float = slab().radiance(&length(1000)).unwrap().into();
     for position in POSITIONS {
         for opacity in EXACT_OPACITIES {
             for order in orders() {

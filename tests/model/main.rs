@@ -1,7 +1,13 @@
 //! The error model's predictions against what is observed: the best accuracy that a method reaches in a format,
 //! and the number of segments where roundoff overtakes discretization.
 
-#![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic)]
+#![allow(
+    clippy::unwrap_used,
+    clippy::expect_used,
+    clippy::panic,
+    clippy::cast_possible_truncation,
+    clippy::cast_sign_loss
+)]
 
 mod observe;
 
