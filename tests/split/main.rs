@@ -107,7 +107,7 @@ fn medium<N: Nodes>(nodes: &N, n: u64) -> Option<Medium> {
         extinction: extinction?,
         emission: emission?,
         middle: middle?,
-        step: Rational::from(nodes.length() / Rational::from(n)),
+        step: nodes.length() / Rational::from(n),
     })
 }
 
