@@ -437,10 +437,7 @@ fn what_cannot_be_run_is_named_in_one_line() {
             &["--formats", "mpfr:99"],
             "format 'mpfr:99': there is nothing to stress (allowed: ",
         ),
-        (
-            &["--levels", "0.5,0.25"],
-            "is not allowed (allowed: 1 to 16777216 segments)",
-        ),
+        (&["--levels", "0.5,0.25"], "is not allowed (allowed: 1 to "),
         (&["-n", "0"], "invalid value '0' for '--segments <N>'"),
     ] {
         volver(arguments)

@@ -438,7 +438,7 @@ fn bad_files_are_named_with_their_line() {
         ),
         (
             "cases = [\"vacuum\"]\nmethods = [\"a/b\"]",
-            "line 2: unknown rule 'a' (allowed: ",
+            "line 2: method 'a/b': unknown inner rule or kind of method 'a' (allowed: ",
         ),
         (
             "cases = [\"vacuum\"]\nformats = [\"f32\",\n\"f32\"]",
