@@ -200,7 +200,7 @@ fn the_best_accuracy_and_its_n_are_foreseen() {
 }
 
 #[test]
-#[ignore = "the whole catalogue, half an hour"]
+#[ignore = "the whole catalogue, an hour"]
 fn the_best_accuracy_and_its_n_are_foreseen_on_the_whole_catalogue() {
     let names: Vec<&str> = catalogue::names().collect();
     let rows = rows(&names, &FORMATS);
