@@ -55,6 +55,11 @@ impl Row {
     fn of_crossing(&self) -> Option<f64> {
         Some(self.crossing / self.observed.crossing?)
     }
+
+    fn is_good(&self) -> bool {
+        let crossing = self.of_crossing();
+        within(&[self.of_best()], 3.0) == 1 && crossing.is_none_or(|r| within(&[r], 2.0) == 1)
+    }
 }
 
 impl fmt::Display for Row {
@@ -159,7 +164,12 @@ fn rows(names: &[&str], formats: &[&str]) -> Vec<Row> {
                     oracle: &oracle,
                 })
             };
-            formats.iter().flat_map(in_format).collect::<Vec<_>>()
+            let rows: Vec<Row> = formats.iter().flat_map(in_format).collect();
+            // As they come: the whole catalogue takes long.
+            for row in &rows {
+                println!("{} {row}", if row.is_good() { "  " } else { "- " });
+            }
+            rows
         })
         .collect()
 }
@@ -173,11 +183,6 @@ fn within(ratios: &[f64], factor: f64) -> usize {
 fn check(rows: &[Row]) {
     let best: Vec<f64> = rows.iter().map(Row::of_best).collect();
     let crossings: Vec<f64> = rows.iter().filter_map(Row::of_crossing).collect();
-    for row in rows {
-        let good = within(&[row.of_best()], 3.0) == 1
-            && row.of_crossing().is_none_or(|r| within(&[r], 2.0) == 1);
-        println!("{} {row}", if good { "  " } else { "- " });
-    }
     let (good, near) = (within(&best, 3.0), within(&crossings, 2.0));
     println!(
         "best accuracy within 3x: {good} of {}; n* within 2x: {near} of {}",
