@@ -25,6 +25,7 @@ mod tests;
 mod text;
 
 pub use error::FileError;
+pub(crate) use nesting::{MAX_DOTS, deepest_dot};
 pub use problem::FileProblem;
 pub use recipe::Recipe;
 

@@ -33,14 +33,24 @@ pub fn write_directory(
         dir.join("report.md"),
         markdown::reproduction(settings, entries),
     ));
+    write_files(dir, files)
+}
+
+/// Writes contents, made before, into `dir` in their order; `dir` is made where it does not exist. Returns the
+/// paths written.
+pub(super) fn write_files(
+    dir: &Path,
+    files: impl IntoIterator<Item = (PathBuf, String)>,
+) -> Result<Vec<PathBuf>, ReportError> {
     fs::create_dir_all(dir).map_err(|reason| ReportError::Directory {
         path: dir.into(),
         reason,
     })?;
-    for (path, contents) in &files {
-        write_file(path, contents)?;
-    }
-    Ok(files.into_iter().map(|(path, _)| path).collect())
+    let written = files.into_iter().map(|(path, contents)| {
+        write_file(&path, &contents)?;
+        Ok(path)
+    });
+    written.collect()
 }
 
 /// Writes a file whole: into a temporary file beside it, which then takes its name.

@@ -11,9 +11,9 @@ pub use json::json;
 pub use markdown::markdown;
 pub use text::text;
 
-use super::{ReportError, write_file};
+use super::ReportError;
+use super::write::write_files;
 use crate::study::nonsmooth::{Cell, Kind};
-use std::fs;
 use std::path::{Path, PathBuf};
 
 /// The cells of one kind, rule by rule; each row's in the order of the places.
@@ -38,12 +38,5 @@ pub fn write(dir: &Path, cells: &[Cell]) -> Result<Vec<PathBuf>, ReportError> {
         (dir.join("nonsmooth.json"), json(cells)?),
         (dir.join("nonsmooth.md"), markdown(cells)),
     ];
-    fs::create_dir_all(dir).map_err(|reason| ReportError::Directory {
-        path: dir.into(),
-        reason,
-    })?;
-    for (path, contents) in &files {
-        write_file(path, contents)?;
-    }
-    Ok(files.into_iter().map(|(path, _)| path).collect())
+    write_files(dir, files)
 }

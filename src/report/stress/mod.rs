@@ -11,9 +11,9 @@ pub use json::json;
 pub use markdown::markdown;
 pub use text::text;
 
-use super::{ReportError, write_file};
+use super::ReportError;
+use super::write::write_files;
 use crate::study::stress::Cell;
-use std::fs;
 use std::path::{Path, PathBuf};
 
 /// Cells by scenario, method and format, each axis in the order of appearance.
@@ -64,12 +64,5 @@ pub fn write(dir: &Path, cells: &[Cell]) -> Result<Vec<PathBuf>, ReportError> {
         (dir.join("stress.json"), json(cells)?),
         (dir.join("stress.md"), markdown(cells)),
     ];
-    fs::create_dir_all(dir).map_err(|reason| ReportError::Directory {
-        path: dir.into(),
-        reason,
-    })?;
-    for (path, contents) in &files {
-        write_file(path, contents)?;
-    }
-    Ok(files.into_iter().map(|(path, _)| path).collect())
+    write_files(dir, files)
 }

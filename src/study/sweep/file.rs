@@ -1,18 +1,14 @@
 //! `study.toml`: what to run, as text.
 
+use crate::case::file::{MAX_DOTS, deepest_dot};
 use schemars::{JsonSchema, Schema};
 use serde::Deserialize;
 use serde_json::Value;
 use std::ops::Range;
 use toml::Spanned;
-use toml_parser::Source;
-use toml_parser::lexer::TokenKind;
 
 /// The largest file that is read, in bytes.
 const MAX_FILE: usize = 1 << 20;
-
-/// The most dots of one key: the TOML reader bounds arrays, but not dotted keys, and tables nest recursively.
-const MAX_DOTS: usize = 7;
 
 /// A study as a file describes it: names only, which mean nothing yet.
 ///
@@ -143,27 +139,6 @@ impl StudyFile {
 fn line(text: &str, at: usize) -> usize {
     let before = text.get(..at).unwrap_or_default();
     before.matches('\n').count() + 1
-}
-
-/// The first dot of a key that is one too many.
-fn deepest_dot(text: &str) -> Option<usize> {
-    let mut dots = 0;
-    for token in Source::new(text).lex() {
-        match token.kind() {
-            TokenKind::Dot => dots += 1,
-            TokenKind::Whitespace
-            | TokenKind::Atom
-            | TokenKind::BasicString
-            | TokenKind::LiteralString
-            | TokenKind::MlBasicString
-            | TokenKind::MlLiteralString => {}
-            _ => dots = 0,
-        }
-        if dots > MAX_DOTS {
-            return Some(token.span().start());
-        }
-    }
-    None
 }
 
 /// The reader's message in one line, in the shape of this program's.
