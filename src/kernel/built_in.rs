@@ -1,0 +1,73 @@
+//! Methods of this crate as kernels.
+
+use super::{Declaration, FormKind, Kernel, KernelError, Rendering, Task};
+use crate::case::{Fresh, SymbolicCase};
+use crate::method::{Method, MethodError};
+use crate::real::{Format, FormatName, Real, WithFormat};
+use rug::{Float, Rational};
+
+/// A method in a format. It cuts rays into equal segments: where the step does not divide the ray it uses
+/// the next shorter one that does, and says so.
+#[derive(Clone, Debug)]
+pub struct BuiltIn {
+    method: Method,
+    declaration: Declaration,
+}
+
+impl BuiltIn {
+    /// `method`, run in `format`.
+    #[must_use]
+    pub fn new(method: Method, format: FormatName) -> Self {
+        let declaration = Declaration {
+            form: FormKind::Function,
+            method: Some(method),
+            format,
+            stochastic: false,
+            ..Declaration::new(&format!("method:{}@{format}", method.name()))
+        };
+        BuiltIn {
+            method,
+            declaration,
+        }
+    }
+}
+
+impl Kernel for BuiltIn {
+    fn declaration(&self) -> &Declaration {
+        &self.declaration
+    }
+
+    fn render(&mut self, task: &Task<'_>) -> Result<Rendering, KernelError> {
+        let run = |case| {
+            let run = Run {
+                case,
+                method: self.method,
+                segments: task.segments,
+            };
+            self.declaration.format.with(run)
+        };
+        let radiance: Result<Vec<Float>, MethodError> =
+            task.subject.cases().iter().map(run).collect();
+        let used = Rational::from(task.subject.length() / task.segments).to_f64();
+        Ok(Rendering {
+            radiance: radiance?,
+            step: Some(used).filter(|used| used.to_bits() != task.step.to_bits()),
+            ..Rendering::default()
+        })
+    }
+}
+
+struct Run<'c> {
+    case: &'c SymbolicCase,
+    method: Method,
+    segments: u64,
+}
+
+impl WithFormat for Run<'_> {
+    type Output = Result<Float, MethodError>;
+
+    fn run<F: Format>(self, format: F) -> Self::Output {
+        let nodes = Fresh::new(self.case, format);
+        Ok(self.method.radiance(&nodes, self.segments)?.to_float())
+    }
+}

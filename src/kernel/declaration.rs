@@ -1,0 +1,129 @@
+//! What a kernel says of itself.
+
+use super::FormKind;
+use crate::method::{Method, Position};
+use crate::real::FormatName;
+use std::fmt;
+use std::str::FromStr;
+
+/// What a kernel claims to compute, and in what it answers. What it leaves out is found out, or taken from the
+/// defaults of [`Declaration::new`].
+#[derive(Clone, Debug, PartialEq)]
+pub struct Declaration {
+    /// Its name, for reports.
+    pub name: String,
+    /// What it is to be given.
+    pub form: FormKind,
+    /// The method of this crate that it means to be, if there is one: then the order expected on every case
+    /// follows from theory, and the values themselves are compared.
+    pub method: Option<Method>,
+    /// The order of accuracy that it claims on smooth cases; a method says more.
+    pub order: Option<f64>,
+    /// The format that it computes in.
+    pub format: FormatName,
+    /// What its answers are multiples of, where that is coarser than the format: 1/255 of an 8-bit image,
+    /// 2⁻¹⁵ of 15-bit fixed point; in the units of the radiance.
+    pub quantum: Option<f64>,
+    /// Monte Carlo: the answer depends on the seed, and scatters.
+    pub stochastic: bool,
+    /// Where it samples a segment, where the method does not say.
+    pub sampling: Option<Sampling>,
+    /// It takes the last segment to be opaque, as with a length of 1e10: a wall of the last sample's emission
+    /// stands at the end of the ray.
+    pub far_wall: bool,
+}
+
+impl Declaration {
+    /// A deterministic kernel in binary64 before a black background, given segments, of which nothing else
+    /// is known.
+    #[must_use]
+    pub fn new(name: &str) -> Self {
+        Declaration {
+            name: name.into(),
+            form: FormKind::Segments,
+            method: None,
+            order: None,
+            format: FormatName::F64,
+            quantum: None,
+            stochastic: false,
+            sampling: None,
+            far_wall: false,
+        }
+    }
+
+    /// Where it claims to sample: as it says, or as its method does.
+    #[must_use]
+    pub fn claimed_sampling(&self) -> Option<Sampling> {
+        let of_method = || match self.method? {
+            Method::Composited(compositing) => Some(compositing.position.into()),
+            Method::Nested(_) | Method::Preintegrated(_) => None,
+        };
+        self.sampling.or_else(of_method)
+    }
+}
+
+/// Where a kernel samples its segments.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum Sampling {
+    /// At the end nearer to the eye.
+    Front,
+    /// In the middle.
+    Middle,
+    /// At the end farther from the eye.
+    Back,
+    /// At both ends.
+    Ends,
+    /// Somewhere in each segment, by chance.
+    Jittered,
+}
+
+impl Sampling {
+    /// All of them.
+    pub const ALL: [Sampling; 5] = [
+        Sampling::Front,
+        Sampling::Middle,
+        Sampling::Back,
+        Sampling::Ends,
+        Sampling::Jittered,
+    ];
+}
+
+impl From<Position> for Sampling {
+    fn from(position: Position) -> Self {
+        match position {
+            Position::Front => Sampling::Front,
+            Position::Middle => Sampling::Middle,
+            Position::Back => Sampling::Back,
+        }
+    }
+}
+
+impl fmt::Display for Sampling {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.pad(match self {
+            Sampling::Front => "front",
+            Sampling::Middle => "middle",
+            Sampling::Back => "back",
+            Sampling::Ends => "ends",
+            Sampling::Jittered => "jittered",
+        })
+    }
+}
+
+/// Text that names no sampling.
+#[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
+#[error("unknown sampling '{}' (allowed: front, middle, back, ends, jittered)", name.escape_debug())]
+pub struct SamplingError {
+    /// The text given.
+    pub name: String,
+}
+
+impl FromStr for Sampling {
+    type Err = SamplingError;
+
+    fn from_str(name: &str) -> Result<Self, SamplingError> {
+        let mut all = Sampling::ALL.into_iter();
+        all.find(|sampling| sampling.to_string() == name)
+            .ok_or_else(|| SamplingError { name: name.into() })
+    }
+}

@@ -1,0 +1,117 @@
+//! Why no radiance came of a task.
+
+use super::FormKind;
+use std::time::Duration;
+
+/// A kernel that did not answer, or answered what is no answer.
+#[derive(Clone, Debug, PartialEq, thiserror::Error)]
+pub enum KernelError {
+    /// The program cannot be started.
+    #[error("'{program}' does not start: {reason} (allowed: a program that can be run)")]
+    Start {
+        /// The program.
+        program: String,
+        /// What the system says.
+        reason: String,
+    },
+    /// The process ended.
+    #[error("the kernel {}{}", how, last_words(stderr))]
+    Exited {
+        /// How: `exited with code 3`, `was killed by signal 11`.
+        how: String,
+        /// The last lines of its standard error.
+        stderr: String,
+    },
+    /// No answer in time.
+    #[error("no {what} in {} s (allowed: up to --timeout){}", after.as_secs_f64(), last_words(stderr))]
+    TimedOut {
+        /// What was waited for: `greeting`, `answer`.
+        what: &'static str,
+        /// How long was waited.
+        after: Duration,
+        /// The last lines of its standard error.
+        stderr: String,
+    },
+    /// An answer that cannot be read.
+    #[error("{problem} in the answer '{}' (allowed: see docs/protocol.md){}", excerpt.escape_debug(), last_words(stderr))]
+    Garbage {
+        /// What is wrong.
+        problem: String,
+        /// The beginning of what it said.
+        excerpt: String,
+        /// The last lines of its standard error.
+        stderr: String,
+    },
+    /// An answer to another request.
+    #[error(
+        "an answer to request {got} (allowed: to {wanted}, the one asked){}",
+        last_words(stderr)
+    )]
+    WrongId {
+        /// The request answered.
+        got: String,
+        /// The request that was to be answered.
+        wanted: u64,
+        /// The last lines of its standard error.
+        stderr: String,
+    },
+    /// Another number of radiances than channels.
+    #[error("{got} radiances (allowed: {wanted}, one a channel)")]
+    Channels {
+        /// How many came.
+        got: usize,
+        /// How many there are.
+        wanted: usize,
+    },
+    /// What it says it used is not possible.
+    #[error("a {what} of {value} really used (allowed: above 0)")]
+    Used {
+        /// `step` or `number of segments`.
+        what: &'static str,
+        /// What it says.
+        value: f64,
+    },
+    /// The kernel says that it cannot do it.
+    #[error("the kernel refuses: {reason}")]
+    Refused {
+        /// In its own words.
+        reason: String,
+    },
+    /// A ray in a form that the kernel did not ask for.
+    #[error("a task as {given} (allowed: {wanted}, as declared)")]
+    Form {
+        /// The form of the task.
+        given: FormKind,
+        /// The form declared.
+        wanted: FormKind,
+    },
+    /// Started anew too often: it is not tried again.
+    #[error("given up after {failures} failures one after the other; the last: {last}")]
+    GivenUp {
+        /// How many.
+        failures: u32,
+        /// The last of them.
+        last: Box<KernelError>,
+    },
+    /// A shared library that cannot be used.
+    #[error("{path}: {problem} (allowed: a shared library as include/volver.h describes it)")]
+    Library {
+        /// The library.
+        path: String,
+        /// What is wrong.
+        problem: String,
+    },
+    /// A method of this crate that cannot be run so.
+    #[error(transparent)]
+    Method(#[from] crate::method::MethodError),
+}
+
+/// The end of what a child said on standard error, as a clause.
+fn last_words(stderr: &str) -> String {
+    let stderr = stderr.trim();
+    if stderr.is_empty() {
+        return String::new();
+    }
+    let lines: Vec<&str> = stderr.lines().map(str::trim).collect();
+    format!("; its standard error ends: {}", lines.join(" | "))
+}

@@ -1,0 +1,1 @@
+//! Kernels in shared libraries, by the C interface of `include/volver.h`.

@@ -1,0 +1,55 @@
+//! Kernels: somebody's implementation of the volume rendering integral, inside the process or outside.
+//!
+//! A [`Kernel`] is given a [`Task`] (a case cut into segments, as a volume with tables, as source code or as a
+//! function of λ), and returns a [`Rendering`]. It says of itself, in its [`Declaration`], what it claims to
+//! compute. Kernels stand where methods stand: to everything that measures, both are the same, and every
+//! [`Method`](crate::method::Method) is a kernel too, by [`BuiltIn`].
+//!
+//! | kernel | where it runs |
+//! |---|---|
+//! | [`BuiltIn`] | a method of this crate, in any format |
+//! | [`Closure`] | Rust code linked in, in a test for instance |
+//! | [`process`] | a program that talks JSON lines (`docs/protocol.md`) |
+//! | [`library`] | a shared library with the C interface of `include/volver.h` |
+
+mod built_in;
+mod closure;
+mod cut;
+mod declaration;
+mod error;
+pub mod library;
+pub mod process;
+mod rendering;
+mod subject;
+mod task;
+#[cfg(test)]
+mod tests;
+
+pub use built_in::BuiltIn;
+pub use closure::Closure;
+pub use cut::{Cut, CutError, MAX_TASK_SEGMENTS};
+pub use declaration::{Declaration, Sampling};
+pub use error::KernelError;
+pub use rendering::Rendering;
+pub use subject::{Subject, SubjectError};
+pub use task::{Data, FormKind, Formula, Samples, Segments, Table, Task, Volume};
+
+use std::fmt::Debug;
+
+/// An implementation under test.
+pub trait Kernel: Debug + Send {
+    /// What it says of itself.
+    fn declaration(&self) -> &Declaration;
+
+    /// The radiance of every channel of the task.
+    ///
+    /// # Errors
+    /// [`KernelError`] where no radiance comes of it. A kernel that fails may be asked again: one outside the
+    /// process is started anew.
+    fn render(&mut self, task: &Task<'_>) -> Result<Rendering, KernelError>;
+
+    /// The radiances of several tasks, in their order; kernels outside the process save round trips.
+    fn render_all(&mut self, tasks: &[Task<'_>]) -> Vec<Result<Rendering, KernelError>> {
+        tasks.iter().map(|task| self.render(task)).collect()
+    }
+}

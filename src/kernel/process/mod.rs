@@ -1,0 +1,1 @@
+//! Kernels in processes of their own, by JSON lines over pipes.

@@ -1,0 +1,245 @@
+//! A case as kernels see it: in binary64, with all its channels.
+
+use super::{Cut, CutError, Formula, Samples, Segments, Table, Volume};
+use crate::case::{Case, SymbolicCase};
+use crate::real::{Format, Native};
+use crate::symbolic::code::{Definition, Language, source};
+use crate::symbolic::{CompileError, Program};
+use rug::Rational;
+
+/// The name of the channel of a case that has none.
+const ONLY_CHANNEL: &str = "radiance";
+
+/// A case with its channels, which share the field, the extinction and the ray.
+///
+/// Values are what the case's formulas give in binary64, at places rounded once: those that
+/// [`Fresh`](crate::case::Fresh) gives methods.
+#[derive(Clone, Debug)]
+pub struct Subject {
+    name: String,
+    channels: Vec<String>,
+    cases: Vec<SymbolicCase>,
+    length: Rational,
+}
+
+/// Channels that make no case together.
+#[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
+pub enum SubjectError {
+    /// Not a single one.
+    #[error("no channel (allowed: at least one)")]
+    Empty,
+    /// Another ray, field or extinction than the first channel's.
+    #[error(
+        "channel '{channel}' has another ray than the first (allowed: the same length, field and extinction)"
+    )]
+    Different {
+        /// Which.
+        channel: String,
+    },
+}
+
+impl Subject {
+    /// The case of these channels.
+    ///
+    /// # Errors
+    /// [`SubjectError`] where there is none, or they differ in more than their emission.
+    pub fn new(
+        name: &str,
+        channels: Vec<(Option<String>, SymbolicCase)>,
+    ) -> Result<Self, SubjectError> {
+        let (_, first) = channels.first().ok_or(SubjectError::Empty)?;
+        let length = first.length();
+        for (channel, case) in &channels {
+            let (own, shared) = (case.formulas(), first.formulas());
+            if own.field != shared.field
+                || own.extinction != shared.extinction
+                || case.length() != length
+            {
+                let channel = channel.clone().unwrap_or_else(|| case.name().into());
+                return Err(SubjectError::Different { channel });
+            }
+        }
+        let named = |(channel, case): (Option<String>, SymbolicCase)| {
+            (channel.unwrap_or_else(|| ONLY_CHANNEL.into()), case)
+        };
+        let (channels, cases) = channels.into_iter().map(named).unzip();
+        Ok(Subject {
+            name: name.into(),
+            channels,
+            cases,
+            length,
+        })
+    }
+
+    /// Its name.
+    #[must_use]
+    pub fn name(&self) -> &str {
+        &self.name
+    }
+
+    /// The names of the channels, at least one.
+    #[must_use]
+    pub fn channels(&self) -> &[String] {
+        &self.channels
+    }
+
+    /// The case of each channel.
+    #[must_use]
+    pub fn cases(&self) -> &[SymbolicCase] {
+        &self.cases
+    }
+
+    /// D.
+    #[must_use]
+    pub fn length(&self) -> &Rational {
+        &self.length
+    }
+
+    /// s(λ).
+    #[must_use]
+    pub fn field(&self, lambda: f64) -> f64 {
+        self.cases
+            .first()
+            .map_or(f64::NAN, |case| case.field(&lambda))
+    }
+
+    /// τ(s(λ)), and into `emission` C(s(λ)) of every channel, in their order.
+    pub fn at(&self, lambda: f64, emission: &mut [f64]) -> f64 {
+        self.of_field(self.field(lambda), emission)
+    }
+
+    /// τ(s), and into `emission` C(s) of every channel, in their order.
+    pub fn of_field(&self, s: f64, emission: &mut [f64]) -> f64 {
+        let mut extinction = f64::NAN;
+        for (case, emission) in self.cases.iter().zip(emission) {
+            let transfer = case.transfer(&s);
+            *emission = transfer.emission;
+            extinction = transfer.extinction;
+        }
+        extinction
+    }
+
+    /// The ray cut into segments.
+    ///
+    /// # Errors
+    /// [`CutError`] where that is not possible.
+    pub fn segments(&self, cut: Cut) -> Result<Segments, CutError> {
+        let (step, count) = cut.on(&self.length)?;
+        let format = Native::<f64>::new();
+        let place = |half_steps: u64| match cut {
+            Cut::Segments(_) => Rational::from(&self.length * half_steps) / (2 * count),
+            Cut::Step(_) => Rational::from(&step * half_steps) / 2,
+        };
+        let edge = |i: u64| {
+            if i == count {
+                self.length.clone()
+            } else {
+                place(2 * i)
+            }
+        };
+        let edges = (0..=count).map(|i| format.ratio(&edge(i)));
+        let middles = (0..count).map(|i| {
+            if i + 1 == count {
+                // The last one may be shorter.
+                format.ratio(&((edge(i) + &self.length) / 2_u32))
+            } else {
+                format.ratio(&place(2 * i + 1))
+            }
+        });
+        Ok(Segments {
+            edges: self.samples(edges),
+            middles: self.samples(middles),
+        })
+    }
+
+    fn samples(&self, places: impl Iterator<Item = f64>) -> Samples {
+        let mut samples = Samples {
+            emission: vec![Vec::new(); self.cases.len()],
+            ..Samples::default()
+        };
+        let mut emission = vec![0.0; self.cases.len()];
+        for lambda in places {
+            samples.lambda.push(lambda);
+            samples.extinction.push(self.at(lambda, &mut emission));
+            for (all, one) in samples.emission.iter_mut().zip(&emission) {
+                all.push(*one);
+            }
+        }
+        samples
+    }
+
+    /// The ray through a volume: the field at `cells` + 1 places, and tables of `entries` entries over the
+    /// range that the field has there.
+    #[must_use]
+    pub fn volume(&self, cells: u64, entries: usize) -> Volume {
+        let format = Native::<f64>::new();
+        let places = (0..=cells).map(|i| format.ratio(&(Rational::from(&self.length * i) / cells)));
+        let field: Vec<f64> = places.map(|lambda| self.field(lambda)).collect();
+        let first = field.iter().copied().fold(f64::INFINITY, f64::min);
+        let last = field.iter().copied().fold(f64::NEG_INFINITY, f64::max);
+        Volume {
+            table: self.table(first, last, entries),
+            field,
+        }
+    }
+
+    /// Tables of the transfer functions from `first` to `last`.
+    #[must_use]
+    pub fn table(&self, first: f64, last: f64, entries: usize) -> Table {
+        let intervals = entries.saturating_sub(1).max(1) as f64;
+        let mut table = Table {
+            first,
+            last,
+            extinction: Vec::with_capacity(entries),
+            emission: vec![Vec::with_capacity(entries); self.cases.len()],
+        };
+        let mut emission = vec![0.0; self.cases.len()];
+        for entry in 0..entries {
+            let part = entry as f64 / intervals;
+            let s = first * (1.0 - part) + last * part;
+            table.extinction.push(self.of_field(s, &mut emission));
+            for (all, one) in table.emission.iter_mut().zip(&emission) {
+                all.push(*one);
+            }
+        }
+        table
+    }
+
+    /// The case as source code.
+    ///
+    /// # Errors
+    /// [`CompileError`] where a formula has another symbol than its own, which no case of files has.
+    pub fn formula(&self, language: Language) -> Result<Formula, CompileError> {
+        let mut wanted: Vec<(String, &str, Program)> = Vec::new();
+        if let Some(case) = self.cases.first() {
+            let formulas = case.formulas();
+            for (name, doc, of, input) in [
+                ("field", "Field s at lambda.", &formulas.field, "lambda"),
+                (
+                    "extinction",
+                    "Extinction tau of the field value s, per unit of length.",
+                    &formulas.extinction,
+                    "s",
+                ),
+            ] {
+                let program = Program::new(std::slice::from_ref(of), &[input])?;
+                wanted.push((name.into(), doc, program));
+            }
+        }
+        for (channel, case) in self.channels.iter().zip(&self.cases) {
+            let of = &case.formulas().emission;
+            let program = Program::new(std::slice::from_ref(of), &["s"])?;
+            let doc = "Emission C of the field value s, per unit of optical depth.";
+            wanted.push((format!("emission_{channel}"), doc, program));
+        }
+        let definitions: Vec<Definition<'_>> = wanted
+            .iter()
+            .map(|(name, doc, program)| Definition { name, doc, program })
+            .collect();
+        let constants = [("LENGTH", &self.length)];
+        Ok(Formula {
+            language,
+            code: source(language, &self.name, &constants, &definitions),
+        })
+    }
+}
