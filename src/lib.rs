@@ -47,6 +47,7 @@
 
 pub mod case;
 pub mod convergence;
+pub mod diagnosis;
 pub mod kernel;
 pub mod method;
 pub mod quadrature;

@@ -24,6 +24,7 @@ mod subject;
 mod task;
 #[cfg(test)]
 mod tests;
+mod volume;
 
 pub use built_in::BuiltIn;
 pub use closure::Closure;

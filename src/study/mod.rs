@@ -5,5 +5,6 @@ pub mod reproduce;
 mod run;
 pub mod stress;
 pub mod sweep;
+pub mod verify;
 
 pub use run::{Progress, Run, Silent, samples};

@@ -1,0 +1,181 @@
+//! What a recipe makes of a ray.
+
+use super::linear::LinearSegments;
+use super::ray::Sample;
+use super::{EmissionModel, Ends, OpacityModel, Places, Ray, Recipe};
+use crate::case::Transfer;
+use crate::real::{Format, Real};
+use rug::Rational;
+
+/// What one segment does: I += T·adds, T ·= passes.
+#[derive(Clone, Debug)]
+pub(super) struct Step<R> {
+    pub(super) adds: R,
+    pub(super) passes: R,
+}
+
+/// A parameter of a recipe in a format.
+fn parameter<F: Format>(format: F, value: f64) -> F::Real {
+    let exact = Rational::from_f64(value).unwrap_or_default();
+    format.ratio(&exact)
+}
+
+/// The recipe's radiance of the ray; what is accumulated goes through `keep` after every segment.
+///
+/// I ← keep(I + T·aⱼ), T ← keep(T·pⱼ) from the front on, with aⱼ and pⱼ of the recipe's opacity and
+/// emission, until T is under the recipe's stop.
+pub(super) fn radiance_kept<R: Real>(
+    recipe: &Recipe,
+    ray: &Ray<R>,
+    format: R::Format,
+    keep: impl Fn(R) -> R,
+) -> R {
+    let stop = recipe.stop.map(|stop| parameter(format, stop));
+    let mut radiance = format.int(0);
+    let mut transmittance = format.int(1);
+    for step in steps(recipe, ray, format) {
+        radiance = keep(radiance + &(step.adds * &transmittance));
+        transmittance = keep(transmittance * &step.passes);
+        if stop.as_ref().is_some_and(|stop| transmittance < *stop) {
+            break;
+        }
+    }
+    radiance
+}
+
+/// The recipe's radiance of the ray in the ray's own format.
+pub fn radiance<R: Real>(recipe: &Recipe, ray: &Ray<R>, format: R::Format) -> R {
+    radiance_kept(recipe, ray, format, |kept| kept)
+}
+
+/// What every segment does, from the eye on.
+pub(super) fn steps<R: Real>(recipe: &Recipe, ray: &Ray<R>, format: R::Format) -> Vec<Step<R>> {
+    let mut steps = match recipe.places {
+        Places::Ends => trapezoids(ray, format),
+        Places::Linear => linear(ray, format),
+        Places::Front | Places::Middle | Places::Back => sampled(recipe, ray, format),
+    };
+    if recipe.swapped {
+        steps.reverse();
+    }
+    steps
+}
+
+fn sampled<R: Real>(recipe: &Recipe, ray: &Ray<R>, format: R::Format) -> Vec<Step<R>> {
+    let mut samples = ray.samples(recipe.places);
+    match recipe.ends {
+        Ends::Kept => {}
+        Ends::FirstDropped => {
+            samples.drain(..samples.len().min(1));
+        }
+        Ends::LastDropped => {
+            samples.pop();
+        }
+        Ends::FirstDoubled => {
+            if let Some(first) = samples.first().cloned() {
+                samples.insert(0, first);
+            }
+        }
+        Ends::LastDoubled => samples.extend(samples.last().cloned()),
+        Ends::OneExtra => match ray.extra(recipe.places) {
+            Some(extra) if recipe.places == Places::Back => samples.insert(0, extra),
+            extra => samples.extend(extra),
+        },
+    }
+    let opacity = Opacity::new(recipe.opacity, format);
+    let last = samples.len().saturating_sub(1);
+    let step = |(j, sample): (usize, &Sample<R>)| {
+        let (alpha, passes) = if recipe.wall && j == last {
+            (format.int(1), format.int(0))
+        } else {
+            opacity.of(sample)
+        };
+        let emission = sample.transfer.emission.clone();
+        let adds = match recipe.emission {
+            EmissionModel::TimesOpacity => emission * &alpha,
+            EmissionModel::Unweighted => emission,
+            EmissionModel::TimesOpacityTwice => emission * &alpha * &alpha,
+        };
+        Step { adds, passes }
+    };
+    samples.iter().enumerate().map(step).collect()
+}
+
+/// An opacity model with its parameters in a format.
+struct Opacity<R> {
+    model: OpacityModel,
+    /// ℓ or κ.
+    parameter: R,
+    threshold: R,
+    one: R,
+}
+
+impl<R: Real> Opacity<R> {
+    fn new(model: OpacityModel, format: R::Format) -> Self {
+        let (of_length, threshold) = match model {
+            OpacityModel::Exact | OpacityModel::Linear | OpacityModel::Unattenuated => (0.0, 0.0),
+            OpacityModel::Uncorrected { length } => (length, 0.0),
+            OpacityModel::Rescaled { factor } => (factor, 0.0),
+            OpacityModel::SkippedUnder { threshold, length } => (length, threshold),
+        };
+        Opacity {
+            model,
+            parameter: parameter(format, of_length),
+            threshold: parameter(format, threshold),
+            one: format.int(1),
+        }
+    }
+
+    /// (α, what is let through).
+    fn of(&self, sample: &Sample<R>) -> (R, R) {
+        let extinction = sample.transfer.extinction.clone();
+        let depth = |extinction: R| extinction * &sample.length;
+        let exact = |depth: R| (-(-depth.clone()).exp_m1(), (-depth).exp());
+        match self.model {
+            OpacityModel::Exact => exact(depth(extinction)),
+            OpacityModel::Linear => {
+                let depth = depth(extinction);
+                (depth.clone(), self.one.clone() - &depth)
+            }
+            OpacityModel::Unattenuated => {
+                let depth = depth(extinction);
+                (depth.clone(), (-depth).exp())
+            }
+            OpacityModel::Uncorrected { .. } => exact(extinction * &self.parameter),
+            OpacityModel::Rescaled { .. } => exact(depth(extinction) * &self.parameter),
+            OpacityModel::SkippedUnder { .. } => {
+                let table = exact(extinction.clone() * &self.parameter);
+                if table.0 > self.threshold {
+                    exact(depth(extinction))
+                } else {
+                    table
+                }
+            }
+        }
+    }
+}
+
+/// C τ e^(−t) and t by trapezoids.
+fn trapezoids<R: Real>(ray: &Ray<R>, format: R::Format) -> Vec<Step<R>> {
+    let half = format.fraction(1, 2);
+    let source = |at: &Transfer<R>| at.emission.clone() * &at.extinction;
+    let ends = ray.edges.iter().zip(ray.edges.iter().skip(1));
+    let steps = ends.zip(&ray.lengths).map(|((near, far), length)| {
+        let width = length.clone() * &half;
+        let depth = (near.extinction.clone() + &far.extinction) * &width;
+        let passes = (-depth).exp();
+        let adds = (source(near) + &(source(far) * &passes)) * &width;
+        Step { adds, passes }
+    });
+    steps.collect()
+}
+
+fn linear<R: Real>(ray: &Ray<R>, format: R::Format) -> Vec<Step<R>> {
+    let rule = LinearSegments::new(format);
+    let ends = ray.edges.iter().zip(ray.edges.iter().skip(1));
+    let steps = ends.zip(&ray.lengths).map(|((near, far), length)| {
+        let (adds, passes) = rule.segment(near, far, length);
+        Step { adds, passes }
+    });
+    steps.collect()
+}

@@ -1,0 +1,236 @@
+//! What a kernel showed once, to compare with what it shows now.
+
+use super::{Axis, Conclusion, Line, Settings, Verification};
+use serde::{Deserialize, Serialize};
+use std::fmt;
+
+/// The version of the file.
+const VERSION: u32 = 1;
+
+/// A verification, as far as later ones are compared with it.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct Baseline {
+    /// The version of the file, 1.
+    pub volver_baseline: u32,
+    /// The kernel's name.
+    pub kernel: String,
+    /// The levels.
+    pub ladder: Vec<u64>,
+    /// Whether the grid was refined, and not the step.
+    pub grid: bool,
+    /// Whether steps divided no ray.
+    pub uneven: bool,
+    /// The order expected in place of the declared one.
+    pub expect: Option<String>,
+    /// What the values were found to be; `None` where nothing was found.
+    pub fingerprint: Option<String>,
+    /// One a channel.
+    pub lines: Vec<BaselineLine>,
+}
+
+/// One channel.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct BaselineLine {
+    /// The case, with its channel.
+    pub name: String,
+    /// The verdict on the order.
+    pub verdict: String,
+    /// What it said of the kernel.
+    pub standing: String,
+    /// The order, if there was one.
+    pub order: Option<f64>,
+    /// The half-width of its interval.
+    pub half_width: Option<f64>,
+}
+
+/// A baseline that cannot be used.
+#[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
+pub enum BaselineError {
+    /// No JSON of a baseline.
+    #[error("no baseline: {reason} (allowed: what 'volver verify --save' writes)")]
+    Format {
+        /// Why.
+        reason: String,
+    },
+    /// Another version.
+    #[error("a baseline of version {found} (allowed: {VERSION})")]
+    Version {
+        /// Its version.
+        found: u32,
+    },
+}
+
+/// What has moved.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Moved {
+    /// The channel, or `kernel` for what concerns all of it.
+    pub name: String,
+    /// What it was.
+    pub before: String,
+    /// What it is.
+    pub now: String,
+    /// Only for the better: what was not confirmed is.
+    pub better: bool,
+}
+
+impl fmt::Display for Moved {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let Moved {
+            name, before, now, ..
+        } = self;
+        write!(f, "{name}: {before} → {now}")
+    }
+}
+
+impl Baseline {
+    /// What there is to keep of a verification.
+    #[must_use]
+    pub fn new(verification: &Verification) -> Self {
+        let settings = &verification.settings;
+        let best = verification
+            .fingerprint
+            .as_ref()
+            .filter(|found| found.is_named())
+            .and_then(|found| found.best.as_ref());
+        Baseline {
+            volver_baseline: VERSION,
+            kernel: verification.declaration.name.clone(),
+            ladder: settings.ladder.clone(),
+            grid: settings.axis == Axis::Grid,
+            uneven: settings.uneven,
+            expect: settings.expect.as_ref().map(ToString::to_string),
+            fingerprint: best.map(|best| best.model.to_string()),
+            lines: verification.lines.iter().map(BaselineLine::new).collect(),
+        }
+    }
+
+    /// Reads one.
+    ///
+    /// # Errors
+    /// [`BaselineError`] where the text is none.
+    pub fn read(text: &str) -> Result<Self, BaselineError> {
+        let baseline: Baseline =
+            serde_json::from_str(text).map_err(|error| BaselineError::Format {
+                reason: error.to_string(),
+            })?;
+        if baseline.volver_baseline != VERSION {
+            return Err(BaselineError::Version {
+                found: baseline.volver_baseline,
+            });
+        }
+        Ok(baseline)
+    }
+
+    /// As it is written to a file.
+    ///
+    /// # Errors
+    /// Those of the serializer.
+    pub fn to_json(&self) -> serde_json::Result<String> {
+        serde_json::to_string_pretty(self).map(|json| json + "\n")
+    }
+
+    /// The same settings once more.
+    pub fn apply(&self, settings: &mut Settings) {
+        settings.ladder.clone_from(&self.ladder);
+        settings.axis = if self.grid { Axis::Grid } else { Axis::Step };
+        settings.uneven = self.uneven;
+        settings.expect = self.expect.as_ref().and_then(|text| text.parse().ok());
+    }
+
+    /// What has moved since.
+    ///
+    /// A channel has moved where its standing is another one, or where the intervals of its order have nothing in
+    /// common; an order that is a little different, or a verdict that says the same of the kernel, is noise.
+    #[must_use]
+    pub fn moved(&self, now: &Verification) -> Vec<Moved> {
+        let now_all = Baseline::new(now);
+        let mut moved = Vec::new();
+        if self.fingerprint != now_all.fingerprint {
+            let shown = |found: &Option<String>| match found {
+                Some(model) => format!("computes {model}"),
+                None => "computes nothing known".into(),
+            };
+            moved.push(Moved {
+                name: "kernel".into(),
+                before: shown(&self.fingerprint),
+                now: shown(&now_all.fingerprint),
+                better: false,
+            });
+        }
+        for line in &now_all.lines {
+            match self.lines.iter().find(|before| before.name == line.name) {
+                Some(before) => moved.extend(before.moved(line)),
+                None => moved.push(Moved {
+                    name: line.name.clone(),
+                    before: "not there".into(),
+                    now: line.shown(),
+                    better: line.standing == "confirmed",
+                }),
+            }
+        }
+        for before in &self.lines {
+            if !now_all.lines.iter().any(|line| line.name == before.name) {
+                moved.push(Moved {
+                    name: before.name.clone(),
+                    before: before.shown(),
+                    now: "not there".into(),
+                    better: false,
+                });
+            }
+        }
+        moved
+    }
+}
+
+impl BaselineLine {
+    fn new(line: &Line) -> Self {
+        let order = line.measured.order();
+        BaselineLine {
+            name: line.name.clone(),
+            verdict: line.measured.verdict().name().into(),
+            standing: line.standing.name().into(),
+            order: order.map(|(order, _)| order),
+            half_width: order.map(|(_, half_width)| half_width),
+        }
+    }
+
+    fn shown(&self) -> String {
+        let order = match self.order.zip(self.half_width) {
+            Some((order, half_width)) => format!(", order {order:.3} ± {half_width:.3}"),
+            None => String::new(),
+        };
+        format!("{} ({}{order})", self.standing, self.verdict)
+    }
+
+    fn moved(&self, now: &BaselineLine) -> Option<Moved> {
+        let apart = match (
+            self.order.zip(self.half_width),
+            now.order.zip(now.half_width),
+        ) {
+            (Some((before, wide)), Some((now, narrow))) => (before - now).abs() > wide + narrow,
+            _ => false,
+        };
+        let other = self.standing != now.standing;
+        (other || apart).then(|| Moved {
+            name: self.name.clone(),
+            before: self.shown(),
+            now: now.shown(),
+            better: other && now.standing == "confirmed",
+        })
+    }
+}
+
+/// The exit code's part: whether anything moved but for the better.
+impl Conclusion {
+    /// Its name, as in JSON.
+    #[must_use]
+    pub fn name(self) -> &'static str {
+        match self {
+            Conclusion::Confirmed => "confirmed",
+            Conclusion::NotConfirmed => "not confirmed",
+            Conclusion::CouldNotRun => "could not run",
+        }
+    }
+}

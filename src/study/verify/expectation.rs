@@ -1,0 +1,68 @@
+//! Which order a kernel has to show on a case.
+
+use super::{Axis, Settings};
+use crate::case::{Case, Structure, SymbolicCase};
+use crate::kernel::{Declaration, FormKind};
+use crate::method::{Expected, Method, expected, expected_on};
+
+/// The order of linear interpolation between grid points.
+const GRID_ORDER: f64 = 2.0;
+
+/// What is expected; `None` where nobody claims anything.
+///
+/// A method's order on a case follows from theory. An order that is only claimed counts on smooth cases in which
+/// nothing makes errors smaller than they are in general; on all others theory does not say.
+pub(super) fn of(
+    declaration: &Declaration,
+    settings: &Settings,
+    case: &SymbolicCase,
+) -> Option<Expected> {
+    let structure = case.structure();
+    let general = |order: f64| {
+        if is_general(&structure, order) {
+            Expected::Order(order)
+        } else {
+            Expected::Unknown
+        }
+    };
+    if let Some(order) = &settings.expect {
+        return Some(general(order.to_f64()));
+    }
+    if settings.axis == Axis::Grid {
+        // A kernel that looks up its grid says nothing of how: linear between points is what it is given.
+        return Some(general(GRID_ORDER));
+    }
+    match (declaration.method, declaration.order) {
+        (Some(method), _) if declaration.form == FormKind::Volume => Some(on_volume(&method)),
+        // One sample stands for the wall, up to a step in front of it.
+        (Some(_), _) if declaration.far_wall => Some(Expected::Order(1.0)),
+        (Some(method), _) if settings.uneven => Some(expected(&method, case)),
+        (Some(method), _) => Some(expected_on(&method, case, &settings.ladder)),
+        (None, Some(order)) => Some(general(order)),
+        (None, None) => None,
+    }
+}
+
+/// The order of a method in general, breaks lying on nodes: those of a grid do, on ladders that the grid divides.
+fn on_volume(method: &Method) -> Expected {
+    let structure = Structure::default();
+    Expected::from_limits(&match method {
+        Method::Nested(nested) => nested.limits(&structure),
+        Method::Composited(compositing) => compositing.limits(&structure),
+        Method::Preintegrated(preintegrated) => preintegrated.limits(&structure),
+    })
+}
+
+/// Whether nothing is known of a case that could make the errors of a method of that order smaller than its
+/// order says, or larger.
+fn is_general(structure: &Structure, order: f64) -> bool {
+    let along = &structure.along;
+    let degree = structure.extinction_degree();
+    let cancels = structure.source_is_zero()
+        || structure.source_is_constant()
+        || structure.emission_is_constant()
+        || along.parabolas_hide_source
+        || along.end_samples_cancel
+        || along.equal_at_ends.contains(&true);
+    structure.breaks.is_empty() && !cancels && degree.is_none_or(|degree| degree as f64 >= order)
+}

@@ -1,0 +1,194 @@
+//! What a kernel shows on one channel of a case.
+
+use super::Standing;
+use crate::convergence::{Fit, Replicas, Sample, StochasticFit, Verdict};
+use crate::kernel::KernelError;
+use crate::method::Expected;
+use rug::Float;
+
+/// One channel of a case.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Line {
+    /// The case, with its channel.
+    pub name: String,
+    /// The order that theory, or the kernel, promises; `None` where nothing is promised.
+    pub expected: Option<Expected>,
+    /// The radiance that it should give.
+    pub exact: Float,
+    /// What was measured.
+    pub measured: Measured,
+    /// Levels without an answer.
+    pub failures: Vec<Failure>,
+    /// Whether the coarsest level gave the same radiance twice; always so for kernels that draw random numbers.
+    pub steady: bool,
+    /// What that says of the kernel.
+    pub standing: Standing,
+}
+
+/// Orders, if there were answers to fit them to.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Measured {
+    /// Of a deterministic kernel.
+    Fitted {
+        /// The fit.
+        fit: Box<Fit>,
+        /// What it was fitted to.
+        samples: Vec<Sample>,
+    },
+    /// Of one that draws random numbers.
+    Scattered(Box<StochasticFit>),
+    /// Too few levels were answered.
+    Nothing,
+}
+
+impl Measured {
+    /// The verdict on the order.
+    #[must_use]
+    pub fn verdict(&self) -> Verdict {
+        match self {
+            Measured::Fitted { fit, .. } => fit.verdict,
+            Measured::Scattered(fit) => fit.verdict,
+            Measured::Nothing => Verdict::TooFewLevels,
+        }
+    }
+
+    /// The order and the half-width of its interval.
+    #[must_use]
+    pub fn order(&self) -> Option<(f64, f64)> {
+        match self {
+            Measured::Fitted { fit, .. } => fit.order.zip(fit.half_width),
+            Measured::Scattered(fit) => {
+                let interval = fit.deviation?;
+                let half_width = (interval.high - interval.low) / 2.0;
+                Some((interval.order, half_width))
+            }
+            Measured::Nothing => None,
+        }
+    }
+}
+
+/// A level without an answer.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Failure {
+    /// The number of segments asked for.
+    pub segments: u64,
+    /// Why.
+    pub error: KernelError,
+}
+
+impl Failure {
+    pub(super) fn new(segments: u64, error: &KernelError) -> Self {
+        Failure {
+            segments,
+            error: error.clone(),
+        }
+    }
+}
+
+impl Line {
+    /// Whether every level was answered.
+    #[must_use]
+    pub fn is_complete(&self) -> bool {
+        self.failures.is_empty()
+    }
+
+    /// Whether not a single level was answered.
+    #[must_use]
+    pub fn is_without_answer(&self) -> bool {
+        !self.failures.is_empty()
+            && match &self.measured {
+                Measured::Fitted { samples, .. } => samples.is_empty(),
+                Measured::Scattered(_) => false,
+                Measured::Nothing => true,
+            }
+    }
+}
+
+/// The radiances of one channel at all levels that were answered.
+pub(super) struct Radiances {
+    pub(super) exact: Float,
+    levels: Vec<LevelRadiances>,
+}
+
+struct LevelRadiances {
+    n: Option<u64>,
+    step: f64,
+    /// By seed.
+    values: Vec<Float>,
+    floor: Float,
+    /// Of the declared method.
+    nominal: Option<Float>,
+}
+
+impl Radiances {
+    pub(super) fn new(exact: Float) -> Self {
+        Radiances {
+            exact,
+            levels: Vec::new(),
+        }
+    }
+
+    pub(super) fn push(
+        &mut self,
+        n: Option<u64>,
+        step: f64,
+        values: Vec<Float>,
+        floor: Float,
+        nominal: Option<Float>,
+    ) {
+        // A kernel that says it used the same step again has not refined: that level adds nothing.
+        if self.levels.last().is_some_and(|last| last.step <= step) {
+            return;
+        }
+        self.levels.push(LevelRadiances {
+            n,
+            step,
+            values,
+            floor,
+            nominal,
+        });
+    }
+
+    fn error(&self, value: &Float) -> Float {
+        Float::with_val(self.exact.prec(), value - &self.exact)
+    }
+
+    pub(super) fn samples(&self) -> Vec<Sample> {
+        let sample = |level: &LevelRadiances| {
+            Some(Sample {
+                n: level.n,
+                step: level.step,
+                error: self.error(level.values.first()?),
+                floor: level.floor.clone(),
+            })
+        };
+        self.levels.iter().filter_map(sample).collect()
+    }
+
+    /// Those of the declared method itself, where it has one at every level.
+    pub(super) fn nominal_samples(&self) -> Option<Vec<Sample>> {
+        let sample = |level: &LevelRadiances| {
+            Some(Sample {
+                n: level.n,
+                step: level.step,
+                error: self.error(level.nominal.as_ref()?),
+                floor: level.floor.clone(),
+            })
+        };
+        self.levels.iter().map(sample).collect()
+    }
+
+    pub(super) fn replicas(&self) -> Vec<Replicas> {
+        let replicas = |level: &LevelRadiances| Replicas {
+            n: level.n,
+            step: level.step,
+            errors: level
+                .values
+                .iter()
+                .map(|value| self.error(value).to_f64())
+                .collect(),
+            floor: level.floor.to_f64(),
+        };
+        self.levels.iter().map(replicas).collect()
+    }
+}

@@ -1,0 +1,179 @@
+//! A kernel put to the test: its orders on cases with known radiance, and what its values say it computes.
+
+mod asked;
+mod baseline;
+mod expectation;
+mod explain;
+mod line;
+mod nominal;
+mod settings;
+mod standing;
+mod truth;
+
+pub use baseline::{Baseline, BaselineError, Moved};
+pub use explain::Finding;
+pub use line::{Failure, Line, Measured};
+pub use settings::{Axis, GRID_SEGMENTS, REPLICAS, Settings, SettingsError, TABLE_ENTRIES};
+pub use standing::{Counts, Standing};
+
+use super::Progress;
+use crate::diagnosis::{Accuracy, Fingerprint, Watched, fingerprint};
+use crate::kernel::{Declaration, Kernel, Subject};
+use crate::reference::ReferenceError;
+use asked::Asked;
+
+/// What came out.
+#[derive(Clone, Debug)]
+pub struct Verification {
+    /// What the kernel says of itself.
+    pub declaration: Declaration,
+    /// How it was tested.
+    pub settings: Settings,
+    /// One a channel, in the order of the cases.
+    pub lines: Vec<Line>,
+    /// What its values are; `None` for a kernel that draws random numbers, or that gave none.
+    pub fingerprint: Option<Fingerprint>,
+    /// Defects by name, with the channels that show them.
+    pub findings: Vec<Finding>,
+}
+
+/// What a verification says in all.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum Conclusion {
+    /// Orders are confirmed, none is contradicted, and the values are those of the declared method.
+    Confirmed,
+    /// Something contradicts, fails, or nothing is confirmed.
+    NotConfirmed,
+    /// No level of any case could be rendered.
+    CouldNotRun,
+}
+
+impl Verification {
+    /// How many channels stand how.
+    #[must_use]
+    pub fn counts(&self) -> Counts {
+        Counts::of(&self.lines)
+    }
+
+    /// What it says in all.
+    #[must_use]
+    pub fn conclusion(&self) -> Conclusion {
+        let counts = self.counts();
+        let deviates = self
+            .fingerprint
+            .as_ref()
+            .is_some_and(Fingerprint::contradicts_declaration);
+        let failed = counts.failed + counts.contradicted > 0;
+        if self.lines.iter().all(Line::is_without_answer) {
+            Conclusion::CouldNotRun
+        } else if counts.confirmed == 0 || failed || deviates {
+            Conclusion::NotConfirmed
+        } else {
+            Conclusion::Confirmed
+        }
+    }
+}
+
+/// Runs a kernel on all subjects; `shown` hears of every channel as soon as it is done.
+///
+/// # Errors
+/// [`VerifyError`] where a subject cannot be cut as asked for, or has no reference. What the kernel does wrong is
+/// no error but stands in the lines.
+pub fn verify(
+    kernel: &mut dyn Kernel,
+    subjects: &[Subject],
+    settings: &Settings,
+    progress: &dyn Progress,
+    shown: &mut dyn FnMut(&Line),
+) -> Result<Verification, VerifyError> {
+    let declaration = kernel.declaration().clone();
+    let mut lines = Vec::new();
+    let mut watched: Vec<Watched> = Vec::new();
+    for subject in subjects {
+        let asked = Asked::new(subject, settings, &declaration)?;
+        let answers = asked.of(kernel, progress);
+        for channel in 0..subject.channels().len() {
+            let (line, seen) = asked.line(channel, &answers)?;
+            shown(&line);
+            lines.push(line);
+            watched.push(seen);
+        }
+    }
+    let accuracy = Accuracy::Rounding {
+        unit: nominal::unit(&declaration),
+        quantum: declaration.quantum.unwrap_or(0.0),
+    };
+    let complete: Vec<usize> = (0..lines.len())
+        .filter(|&index| lines[index].is_complete())
+        .collect();
+    let comparable = !declaration.stochastic && settings.axis == Axis::Step;
+    let fingerprint = (comparable && !complete.is_empty()).then(|| {
+        let whole: Vec<Watched> = complete.iter().map(|&i| watched[i].clone()).collect();
+        let mut found = fingerprint(&whole, &declaration, accuracy);
+        for one in found.best.iter_mut().chain(found.declared.iter_mut()) {
+            for index in &mut one.agrees {
+                *index = complete[*index];
+            }
+        }
+        found
+    });
+    let findings = explain::findings(&declaration, &lines, &watched, fingerprint.as_ref());
+    Ok(Verification {
+        declaration,
+        settings: settings.clone(),
+        lines,
+        fingerprint,
+        findings,
+    })
+}
+
+/// What no verification can be made of.
+#[derive(Clone, Debug, PartialEq, thiserror::Error)]
+pub enum VerifyError {
+    /// The ray of a case cannot be cut so.
+    #[error("{case}: {error}")]
+    Cut {
+        /// The case.
+        case: String,
+        /// Why.
+        error: crate::kernel::CutError,
+    },
+    /// A case has no reference.
+    #[error("{case}: {error}")]
+    Reference {
+        /// The case.
+        case: String,
+        /// Why.
+        error: ReferenceError,
+    },
+    /// The kernel wants what there is none of on this axis.
+    #[error("the kernel takes {form} (allowed with --axis grid: volume)")]
+    Axis {
+        /// The form it takes.
+        form: crate::kernel::FormKind,
+    },
+    /// A formula without code.
+    #[error("{case}: {error}")]
+    Formula {
+        /// The case.
+        case: String,
+        /// Why.
+        error: crate::symbolic::CompileError,
+    },
+    /// Errors that no fit can take.
+    #[error("{case}: {error}")]
+    Fit {
+        /// The channel.
+        case: String,
+        /// Why.
+        error: crate::convergence::FitError,
+    },
+    /// Replicas that no fit can take.
+    #[error("{case}: {error}")]
+    Replicas {
+        /// The channel.
+        case: String,
+        /// Why.
+        error: crate::convergence::ReplicasError,
+    },
+}

@@ -1,0 +1,108 @@
+//! What the declared method itself gives at every level: exactly, and in the declared format.
+
+use crate::case::{Fresh, SymbolicCase};
+use crate::diagnosis::{Model, Ray, Recipe, radiance};
+use crate::kernel::{Declaration, Segments};
+use crate::method::Method;
+use crate::real::{Format, FormatName, Real, WithFormat};
+use rug::Float;
+
+/// Bits of the run that counts as exact, beyond those of the format.
+const MORE_BITS: u32 = 75;
+
+/// 2^(−p) of the declared format.
+pub(super) fn unit(declaration: &Declaration) -> f64 {
+    (-f64::from(bits(declaration.format))).exp2()
+}
+
+/// Significant bits of a format.
+pub(super) fn bits(format: FormatName) -> u32 {
+    struct Bits;
+    impl WithFormat for Bits {
+        type Output = u32;
+        fn run<F: Format>(self, format: F) -> u32 {
+            format.bits()
+        }
+    }
+    format.with(Bits)
+}
+
+/// The declared method's radiance at one level.
+#[derive(Clone, Debug)]
+pub(super) struct Nominal {
+    /// With bits to spare, from the samples that the kernel was given.
+    pub(super) exact: Float,
+    /// In the declared format.
+    pub(super) in_format: Float,
+}
+
+/// The declared method on one level of one channel; `None` where nothing is declared, or it has no value there.
+pub(super) fn at_level(
+    declaration: &Declaration,
+    case: &SymbolicCase,
+    segments: &Segments,
+    channel: usize,
+    uniform: Option<u64>,
+) -> Option<Nominal> {
+    let more = FormatName::Mpfr(bits(declaration.format) + MORE_BITS);
+    match Model::of_method(declaration.method?) {
+        Model::Recipe(recipe) => {
+            let recipe = Recipe {
+                wall: declaration.far_wall,
+                ..recipe
+            };
+            let of = |format: FormatName| {
+                format.with(OfRecipe {
+                    recipe,
+                    segments,
+                    channel,
+                })
+            };
+            Some(Nominal {
+                exact: of(more),
+                in_format: of(declaration.format),
+            })
+        }
+        Model::Method(method) => {
+            let of = |format: FormatName| {
+                let n = uniform?;
+                format.with(OfMethod { method, case, n })
+            };
+            Some(Nominal {
+                exact: of(more)?,
+                in_format: of(declaration.format)?,
+            })
+        }
+    }
+}
+
+struct OfRecipe<'a> {
+    recipe: Recipe,
+    segments: &'a Segments,
+    channel: usize,
+}
+
+impl WithFormat for OfRecipe<'_> {
+    type Output = Float;
+
+    fn run<F: Format>(self, format: F) -> Float {
+        let ray: Ray<F::Real> = Ray::new(self.segments, self.channel, format);
+        radiance(&self.recipe, &ray, format).to_float()
+    }
+}
+
+struct OfMethod<'a> {
+    method: Method,
+    case: &'a SymbolicCase,
+    n: u64,
+}
+
+impl WithFormat for OfMethod<'_> {
+    type Output = Option<Float>;
+
+    fn run<F: Format>(self, format: F) -> Option<Float> {
+        let nodes = Fresh::new(self.case, format);
+        let radiance = self.method.radiance(&nodes, self.n).ok()?;
+        Some(radiance.to_float())
+    }
+}

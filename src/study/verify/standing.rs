@@ -1,0 +1,116 @@
+//! What a channel says of a kernel.
+
+use super::line::{Failure, Line, Measured};
+use crate::convergence::Verdict;
+use crate::method::Expected;
+use std::fmt;
+
+/// What a channel says of a kernel.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum Standing {
+    /// The order is the one expected.
+    Confirmed,
+    /// It is not.
+    Contradicted,
+    /// The ladder, the format or the case cannot tell.
+    Inconclusive,
+    /// The case hides the leading error of what was declared.
+    Blind,
+    /// Levels were not answered.
+    Failed,
+}
+
+impl Standing {
+    /// The standing's name, as in JSON.
+    #[must_use]
+    pub fn name(self) -> &'static str {
+        match self {
+            Standing::Confirmed => "confirmed",
+            Standing::Contradicted => "contradicted",
+            Standing::Inconclusive => "inconclusive",
+            Standing::Blind => "blind",
+            Standing::Failed => "failed",
+        }
+    }
+}
+
+impl fmt::Display for Standing {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.pad(self.name())
+    }
+}
+
+/// How many channels stand how.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct Counts {
+    /// [`Standing::Confirmed`].
+    pub confirmed: usize,
+    /// [`Standing::Contradicted`].
+    pub contradicted: usize,
+    /// [`Standing::Inconclusive`].
+    pub inconclusive: usize,
+    /// [`Standing::Blind`].
+    pub blind: usize,
+    /// [`Standing::Failed`].
+    pub failed: usize,
+}
+
+impl Counts {
+    pub(super) fn of(lines: &[Line]) -> Counts {
+        let mut counts = Counts::default();
+        for line in lines {
+            let count = match line.standing {
+                Standing::Confirmed => &mut counts.confirmed,
+                Standing::Contradicted => &mut counts.contradicted,
+                Standing::Inconclusive => &mut counts.inconclusive,
+                Standing::Blind => &mut counts.blind,
+                Standing::Failed => &mut counts.failed,
+            };
+            *count += 1;
+        }
+        counts
+    }
+}
+
+/// What a standing rests on.
+pub(super) struct Judged<'a> {
+    pub(super) measured: &'a Measured,
+    pub(super) expected: Option<Expected>,
+    pub(super) failures: &'a [Failure],
+    /// The verdict on the declared method itself, run exactly on the same levels.
+    pub(super) of_method: Option<Verdict>,
+    pub(super) steady: bool,
+}
+
+/// A kernel is measured by what its declared method itself shows on the same levels: where that is not confirmed,
+/// the ladder is too short or the case too hard for any kernel, and only what is worse than the method counts.
+pub(super) fn of(judged: &Judged<'_>) -> Standing {
+    let verdict = judged.measured.verdict();
+    if !judged.failures.is_empty() {
+        return Standing::Failed;
+    }
+    if verdict == Verdict::NotFinite || !judged.steady {
+        return Standing::Contradicted;
+    }
+    if matches!(judged.expected, Some(Expected::Blind { .. })) {
+        return Standing::Blind;
+    }
+    if verdict.passes(judged.expected) {
+        return Standing::Confirmed;
+    }
+    let does_not_converge = matches!(verdict, Verdict::Diverged | Verdict::Stalled);
+    let is_order = matches!(judged.expected, Some(Expected::Order(_) | Expected::Exact));
+    let misses = matches!(verdict, Verdict::TooLow | Verdict::TooHigh) || does_not_converge;
+    let contradicts = match judged.of_method {
+        Some(of_method) if of_method.passes(judged.expected) => {
+            misses || verdict == Verdict::Oscillatory
+        }
+        Some(of_method) => does_not_converge && verdict != of_method,
+        None => is_order && misses,
+    };
+    if contradicts {
+        Standing::Contradicted
+    } else {
+        Standing::Inconclusive
+    }
+}

@@ -1,0 +1,72 @@
+//! The radiance that a kernel should give.
+
+use super::VerifyError;
+use crate::case::{Case, SymbolicCase, Transfer};
+use crate::diagnosis::LinearSegments;
+use crate::kernel::Volume;
+use crate::real::{Format, Mpfr, MpfrReal, Real};
+use crate::reference;
+use rug::{Float, Rational};
+
+/// Gauss–Legendre points for stretches of an optical depth below 1/32: they leave 2⁻¹²³ of it.
+const THIN_POINTS: u32 = 8;
+
+/// The radiance of one channel of a case, with what stands at the end of the ray.
+///
+/// I + T(D) C(s(D)) where there is a far wall.
+pub(super) fn of_case(
+    case: &SymbolicCase,
+    bits: u32,
+    far_wall: bool,
+) -> Result<Float, VerifyError> {
+    let failed = |error| VerifyError::Reference {
+        case: case.name().into(),
+        error,
+    };
+    let mut radiance = reference::radiance(case, bits).map_err(failed)?.value;
+    if far_wall {
+        let depth = reference::optical_depth(case, bits).map_err(failed)?.value;
+        let format = Mpfr {
+            bits: radiance.prec(),
+        };
+        let wall = case.transfer(&case.field(&format.ratio(&case.length())));
+        radiance += (-depth).exp() * wall.emission.to_float();
+    }
+    Ok(radiance)
+}
+
+/// The exact radiance of one channel of the medium that a volume stands for: the sum over stretches in which C
+/// and τ are linear.
+pub(super) fn of_volume(volume: &Volume, length: &Rational, channel: usize, bits: u32) -> Float {
+    let format = Mpfr { bits };
+    let exact = |x: f64| format.ratio(&Rational::from_f64(x).unwrap_or_default());
+    let mut emission = vec![0.0; volume.table.emission.len()];
+    let mut at = |part: f64| {
+        let extinction = volume.table.at(volume.field_at(part), &mut emission);
+        Transfer {
+            extinction: exact(extinction),
+            emission: exact(emission.get(channel).copied().unwrap_or(f64::NAN)),
+        }
+    };
+    let rule = LinearSegments::new(format);
+    let thin = LinearSegments::with_points(format, THIN_POINTS);
+    let limit = format.fraction(1, 16);
+    let length = format.ratio(length);
+    let mut radiance = format.int(0);
+    let mut transmittance = format.int(1);
+    let knots = volume.knots();
+    let mut ends = knots.iter().map(|part| (*part, at(*part)));
+    let Some(mut near) = ends.next() else {
+        return radiance.to_float();
+    };
+    for far in ends {
+        let width: MpfrReal = (exact(far.0) - &exact(near.0)) * &length;
+        let depth = (near.1.extinction.clone() + &far.1.extinction) * &width;
+        let rule = if depth < limit { &thin } else { &rule };
+        let (adds, passes) = rule.segment(&near.1, &far.1, &width);
+        radiance += &(adds * &transmittance);
+        transmittance *= &passes;
+        near = far;
+    }
+    radiance.to_float()
+}

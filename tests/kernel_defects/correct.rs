@@ -1,0 +1,76 @@
+//! Correct kernels raise no alarm.
+
+use super::marcher::{Fault, declared, march};
+use super::{run, subjects};
+use volver::kernel::{BuiltIn, Closure, Kernel};
+use volver::real::FormatName;
+use volver::study::verify::Conclusion;
+
+const LADDERS: [(&str, bool); 3] = [("8..512", false), ("10..810x3", false), ("8..512", true)];
+
+fn kernels() -> Vec<Box<dyn Kernel>> {
+    let marcher = |method: &str, faults: &'static [Fault]| -> Box<dyn Kernel> {
+        let declaration = declared(method, faults);
+        Box::new(Closure::new(declaration, |task, channel| {
+            march(task, channel, faults)
+        }))
+    };
+    let built_in = |method: &str, format| -> Box<dyn Kernel> {
+        Box::new(BuiltIn::new(method.parse().expect("a method"), format))
+    };
+    vec![
+        marcher("front-to-back/front/subtraction", &[]),
+        marcher("front-to-back/middle/subtraction", &[Fault::SampleMiddle]),
+        marcher("front-to-back/back/subtraction", &[Fault::SampleBack]),
+        marcher("front-to-back/front/linear", &[Fault::LinearOpacity]),
+        marcher("front-to-back/front/linear/depths", &[Fault::Unattenuated]),
+        built_in("trapezoid/trapezoid", FormatName::F64),
+        built_in("simpson/simpson", FormatName::F64),
+        built_in("tree/middle/expm1", FormatName::F32),
+        built_in("front-to-back/middle/expm1", FormatName::Mpfr(120)),
+    ]
+}
+
+#[test]
+fn correct_kernels_raise_no_alarm() {
+    let subjects = subjects();
+    for (ladder, uneven) in LADDERS {
+        for kernel in &mut kernels() {
+            let verification = run(kernel.as_mut(), &subjects, ladder, uneven);
+            let name = &verification.declaration.method.map(|m| m.name());
+            let found = verification.fingerprint.as_ref().expect("a fingerprint");
+            let shown: Vec<String> = verification
+                .lines
+                .iter()
+                .map(|l| {
+                    format!(
+                        "{} {} {:?} {:?}",
+                        l.name,
+                        l.measured.verdict(),
+                        l.standing,
+                        l.expected
+                    )
+                })
+                .collect();
+            println!(
+                "{ladder} {uneven} {name:?} {:?} {:?}\n{:?}",
+                verification.counts(),
+                found.best.as_ref().map(|b| format!(
+                    "{} {} of {}, {} digits",
+                    b.model,
+                    b.agrees.len(),
+                    b.of,
+                    b.digits
+                )),
+                found.declared.as_ref().map(|b| (b.agrees.len(), b.of))
+            );
+            assert_eq!(
+                verification.conclusion(),
+                Conclusion::Confirmed,
+                "{name:?} {shown:#?}"
+            );
+            assert_eq!(verification.findings, [], "{name:?}");
+            assert!(verification.counts().confirmed >= 3, "{name:?} {shown:#?}");
+        }
+    }
+}

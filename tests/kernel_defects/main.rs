@@ -1,0 +1,63 @@
+//! Seeded defects are flagged and named, and correct kernels are neither.
+#![allow(
+    clippy::expect_used,
+    clippy::unwrap_used,
+    clippy::panic,
+    clippy::cast_precision_loss,
+    clippy::cast_possible_truncation,
+    clippy::cast_sign_loss
+)]
+
+mod correct;
+mod defects;
+mod marcher;
+
+use volver::case::catalogue;
+use volver::case::manufacture::manufacture;
+use volver::convergence::Ladder;
+use volver::kernel::{Kernel, Subject};
+use volver::study::Silent;
+use volver::study::verify::{Settings, Verification, verify};
+
+/// Thin and thick, faint and long, smooth and not: 24 channels.
+const CASES: [&str; 22] = [
+    "absorption-only",
+    "atmosphere",
+    "cloud",
+    "constant-source",
+    "decaying-field",
+    "emission-back",
+    "emission-bump",
+    "emission-front",
+    "faint",
+    "faint-long",
+    "homogeneous",
+    "hyperbolic-tangent",
+    "jump-on-node",
+    "kink-off-node",
+    "linear-transfer",
+    "long-ray",
+    "oscillating-field",
+    "rgb-transfer",
+    "sine-squared",
+    "square-root-field",
+    "thick",
+    "thick-front",
+];
+
+fn subjects() -> Vec<Subject> {
+    let subject = |name: &&str| {
+        let description = catalogue::find(name).expect("in the catalogue").unwrap();
+        let channels = manufacture(&description).unwrap();
+        let channels = channels.into_iter().map(|c| (c.channel, c.case)).collect();
+        Subject::new(name, channels).unwrap()
+    };
+    CASES.iter().map(subject).collect()
+}
+
+fn run(kernel: &mut dyn Kernel, subjects: &[Subject], ladder: &str, uneven: bool) -> Verification {
+    let ladder: Ladder = ladder.parse().expect("a ladder");
+    let mut settings = Settings::new(&ladder).unwrap();
+    settings.uneven = uneven;
+    verify(kernel, subjects, &settings, &Silent, &mut |_| ()).unwrap()
+}
