@@ -20,8 +20,8 @@ const SCREENED: usize = 2;
 const FINALISTS: usize = 48;
 /// The part of the channels that a model has to reproduce to be named.
 const ENOUGH: f64 = 0.9;
-/// Units tried where values are coarser than declared: those of binary32 and binary16.
-const COARSER: [f64; 2] = [5.960_464_477_539_063e-8, 4.882_812_5e-4];
+/// 2⁻²⁴, the unit of binary32, tried where the values are coarser than declared.
+const BINARY32: f64 = 5.960_464_477_539_063e-8;
 /// Correct digits that binary64 can show.
 const MOST_DIGITS: f64 = 16.0;
 /// Quanta by which a fixed-point accumulator may differ from its model's, and more for every so many segments.
@@ -82,7 +82,7 @@ pub struct Fingerprint {
     /// The model that reproduces most channels, the simplest of several; `None` where none reproduces more
     /// than by chance.
     pub best: Option<Match>,
-    /// Other models with the same numbers in the same channels.
+    /// Other models, with as few defects, that give the same numbers in the same channels.
     pub alike: Vec<Model>,
     /// How well the declared method reproduces them, where there is one that the values can be compared with.
     pub declared: Option<Match>,
@@ -156,22 +156,18 @@ struct Search<'a> {
 
 impl Search<'_> {
     fn run(&self) -> Fingerprint {
-        let kept_in = match self.accuracy {
-            Accuracy::Rounding { unit, quantum } if unit < COARSER[0] && quantum == 0.0 => {
-                fixed::detect(self.watched)
-            }
-            Accuracy::Rounding { quantum: 0.0, .. } => {
-                fixed::detect(self.watched).filter(|kept| *kept != Accumulator::Binary32)
-            }
-            _ => None,
-        };
+        // A quantum that is declared is no discovery, nor is the format.
+        let kept_in = fixed::detect(self.watched).filter(|kept| {
+            let narrower = self.accuracy.unit < BINARY32 || *kept != Accumulator::Binary32;
+            self.accuracy.quantum == 0.0 && narrower
+        });
         let declared = self
             .declared
             .and_then(|model| self.compare(model, self.accuracy));
         let mut matches = Vec::new();
         match kept_in {
             Some(Accumulator::Fixed { bits, scale, .. }) => matches = self.in_fixed(bits, scale),
-            Some(Accumulator::Binary32) => matches = self.coarser(COARSER[0]),
+            Some(Accumulator::Binary32) => matches = self.in_binary32(),
             _ => {}
         }
         if !self.is_enough(&matches) {
@@ -180,12 +176,9 @@ impl Search<'_> {
         if !self.is_enough(&matches) {
             matches.extend(self.by_tables());
         }
-        if let Accuracy::Rounding { unit, .. } = self.accuracy {
-            for coarser in COARSER.into_iter().filter(|coarser| *coarser > 2.0 * unit) {
-                if !self.is_enough(&matches) {
-                    matches.extend(self.coarser(coarser));
-                }
-            }
+        let may_be_narrower = self.accuracy.unit < BINARY32;
+        if may_be_narrower && kept_in.is_none() && !self.is_enough(&matches) {
+            matches.extend(self.in_binary32());
         }
         let (best, alike) = self.choose(matches);
         Fingerprint {
@@ -201,18 +194,15 @@ impl Search<'_> {
         most.unwrap_or(0) as f64 >= ENOUGH * self.watched.len() as f64
     }
 
-    /// The same models in binary32, or coarser.
-    fn coarser(&self, unit: f64) -> Vec<Match> {
-        let quantum = match self.accuracy {
-            Accuracy::Rounding { quantum, .. } => quantum,
-            Accuracy::Likeness { .. } => 0.0,
-        };
-        let mut matches = self.of(Accuracy::Rounding { unit, quantum });
-        if unit <= COARSER[0] {
-            for one in &mut matches {
-                if let Model::Recipe(recipe) = &mut one.model {
-                    recipe.accumulator = Accumulator::Binary32;
-                }
+    /// The same models, as far as binary32 goes.
+    fn in_binary32(&self) -> Vec<Match> {
+        let mut matches = self.of(Accuracy {
+            unit: BINARY32,
+            ..self.accuracy
+        });
+        for one in &mut matches {
+            if let Model::Recipe(recipe) = &mut one.model {
+                recipe.accumulator = Accumulator::Binary32;
             }
         }
         matches
@@ -406,11 +396,13 @@ impl Search<'_> {
         matches.sort_by_key(|one| (Some(one.model) != self.declared, one.model.defects()));
         let mut matches = matches.into_iter();
         let best = matches.next();
+        let defects = best.as_ref().map_or(0, |best| best.model.defects());
         let mut alike = Vec::new();
         for one in matches {
             let known = best.as_ref().map(|best| &best.agrees);
             let is_new = Some(&one.model) != best.as_ref().map(|best| &best.model);
-            if known == Some(&one.agrees) && is_new && !alike.contains(&one.model) {
+            let is_as_simple = one.model.defects() <= defects;
+            if known == Some(&one.agrees) && is_new && is_as_simple && !alike.contains(&one.model) {
                 alike.push(one.model);
             }
         }
@@ -428,13 +420,9 @@ fn in_quanta(model: &Model, level: &WatchedLevel, accuracy: Accuracy) -> Accurac
         return accuracy;
     };
     let quanta = QUANTA + level.ray.count() as f64 / SEGMENTS_A_QUANTUM;
-    let unit = match accuracy {
-        Accuracy::Rounding { unit, .. } => unit,
-        Accuracy::Likeness { .. } => return accuracy,
-    };
-    Accuracy::Rounding {
-        unit,
+    Accuracy {
         quantum: 2.0 * quanta / scale.quanta(*bits),
+        ..accuracy
     }
 }
 

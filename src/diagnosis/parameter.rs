@@ -60,6 +60,10 @@ pub(super) fn solved(
             if matches!(free, Free::Factor) && is_round(&round) {
                 solved = round;
             }
+            if solved.opacity == free.model(1.0, *step) {
+                // Corrected as it should be.
+                continue;
+            }
             let agrees = next.agrees(value(&solved, next), probe.scale, accuracy);
             if agrees && !found.contains(&solved) {
                 found.push(solved);

@@ -328,24 +328,29 @@ impl fmt::Display for OpacityModel {
     }
 }
 
-/// A parameter with as many digits as say something, as a fraction where it is 1 by an integer.
+/// A parameter with as many digits as say something: as a power of ten, a short decimal, or 1 by an integer.
 struct Part(f64);
 
 impl fmt::Display for Part {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let inverse = 1.0 / self.0;
-        let nearest = inverse.round();
-        let power_of_ten = (-self.0.log10()).round();
-        if (self.0.log10() + power_of_ten).abs() < 1e-9 && self.0 < 0.1 {
-            return write!(f, "1e-{power_of_ten}");
+        let digits = |count: usize| format!("{:.count$e}", self.0).parse::<f64>();
+        let is_near = |short: f64| (short / self.0 - 1.0).abs() < 1e-6;
+        if let Ok(short) = digits(2)
+            && is_near(short)
+        {
+            return if short < 1e-3 {
+                write!(f, "{short:e}")
+            } else {
+                write!(f, "{short}")
+            };
         }
-        if (2.0..65_536.5).contains(&nearest) && (inverse - nearest).abs() < 1e-6 * nearest {
-            return write!(f, "1/{nearest}");
+        let inverse = (1.0 / self.0).round();
+        if (2.0..65_536.5).contains(&inverse) && is_near(1.0 / inverse) {
+            return write!(f, "1/{inverse}");
         }
-        let digits = format!("{:.4e}", self.0);
-        match digits.parse::<f64>() {
+        match digits(4) {
             Ok(short) => write!(f, "{short}"),
-            Err(_) => f.write_str(&digits),
+            Err(_) => write!(f, "{}", self.0),
         }
     }
 }
@@ -378,7 +383,7 @@ mod tests {
         );
         let parts = [0.05, 1e-4, 1.0, 1.25, 0.003_921_568_6, 0.012_345_67];
         let shown = parts.map(|part| Part(part).to_string());
-        assert_eq!(shown, ["1/20", "1e-4", "1", "1.25", "1/255", "0.012346"]);
+        assert_eq!(shown, ["0.05", "1e-4", "1", "1.25", "1/255", "0.012346"]);
     }
 
     #[test]

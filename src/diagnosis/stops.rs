@@ -134,7 +134,17 @@ fn best(all: &[Thresholds]) -> Option<(usize, f64)> {
     let threshold = usual.unwrap_or_else(|| {
         let allowing = all.iter().filter(|one| one.contain(high));
         let low = allowing.map(|one| one.low).fold(0.0, f64::max);
-        if low > 0.0 { (low * high).sqrt() } else { high }
+        roundest(low, high)
     });
     Some((most, threshold))
+}
+
+/// The number above `low` and up to `high` that has the fewest digits.
+fn roundest(low: f64, high: f64) -> f64 {
+    let middle = f64::midpoint(low, high);
+    let round = |digits: usize| format!("{middle:.digits$e}").parse::<f64>().ok();
+    let mut rounded = (0..16).filter_map(round);
+    rounded
+        .find(|round| low < *round && *round <= high)
+        .unwrap_or(high)
 }

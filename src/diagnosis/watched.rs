@@ -47,38 +47,33 @@ pub struct WatchedLevel {
 
 /// How far a value may lie from that of the model that a kernel follows.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub enum Accuracy {
-    /// Rounding: half a unit in the last place of 1, and the quantum of what is given out (0 where there is
-    /// none).
-    Rounding {
-        /// 2^(−p) of a format with p significant bits.
-        unit: f64,
-        /// In the units of the radiance.
-        quantum: f64,
-    },
-    /// A part of the value itself: likeness and no more.
-    Likeness {
-        /// The part.
-        part: f64,
-    },
+pub struct Accuracy {
+    /// 2^(−p) of a format with p significant bits, at most those of binary64, which all is compared in.
+    pub unit: f64,
+    /// What values are multiples of, in the units of the radiance; 0 where there is no such thing.
+    pub quantum: f64,
 }
 
 impl Accuracy {
+    /// Of a kernel in a format with that unit.
+    #[must_use]
+    pub fn new(unit: f64, quantum: f64) -> Self {
+        Accuracy {
+            unit: unit.max(f64::EPSILON / 2.0),
+            quantum,
+        }
+    }
+
     /// The largest difference from a model's value that still is agreement.
     ///
     /// Each of n segments rounds a few times; the bound N·2⁻²² of `docs/stress.md` is 4 n u. An opacity
     /// 1 − e^(−x) is wrong by up to u, whatever its size: n u max C in all.
     #[must_use]
     pub fn tolerance(self, level: &WatchedLevel, scale: f64, model: f64) -> f64 {
-        match self {
-            Accuracy::Rounding { unit, quantum } => {
-                let n = level.ray.count() as f64;
-                let size = scale.max(model.abs());
-                let of_opacities = 2.0 * n * level.ray.largest_emission();
-                unit * ((32.0 + 4.0 * n) * size + of_opacities) + 0.5001 * quantum
-            }
-            Accuracy::Likeness { part } => part * model.abs(),
-        }
+        let n = level.ray.count() as f64;
+        let size = scale.max(model.abs());
+        let of_opacities = 2.0 * n * level.ray.largest_emission();
+        self.unit * ((32.0 + 4.0 * n) * size + of_opacities) + 0.5001 * self.quantum
     }
 }
 

@@ -38,14 +38,8 @@ impl Kernel for BuiltIn {
     }
 
     fn render(&mut self, task: &Task<'_>) -> Result<Rendering, KernelError> {
-        let run = |case| {
-            let run = Run {
-                case,
-                method: self.method,
-                segments: task.segments,
-            };
-            self.declaration.format.with(run)
-        };
+        let format = self.declaration.format;
+        let run = |case| radiance_in(format, &self.method, case, task.segments);
         let radiance: Result<Vec<Float>, MethodError> =
             task.subject.cases().iter().map(run).collect();
         let used = Rational::from(task.subject.length() / task.segments).to_f64();
@@ -55,6 +49,23 @@ impl Kernel for BuiltIn {
             ..Rendering::default()
         })
     }
+}
+
+/// The radiance of a case by a method on n segments, in a format known only at run time.
+///
+/// # Errors
+/// As [`Method::radiance`].
+pub(crate) fn radiance_in(
+    format: FormatName,
+    method: &Method,
+    case: &SymbolicCase,
+    segments: u64,
+) -> Result<Float, MethodError> {
+    format.with(Run {
+        case,
+        method: *method,
+        segments,
+    })
 }
 
 struct Run<'c> {

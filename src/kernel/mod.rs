@@ -27,6 +27,7 @@ mod tests;
 mod volume;
 
 pub use built_in::BuiltIn;
+pub(crate) use built_in::radiance_in;
 pub use closure::Closure;
 pub use cut::{Cut, CutError, MAX_TASK_SEGMENTS};
 pub use declaration::{Declaration, Sampling};

@@ -67,12 +67,12 @@ const SINGLE: &[Mutant] = &[
     (
         FRONT,
         &[StopUnder(0.01)],
-        &["ended at a transmittance of 1/100"],
+        &["ended at a transmittance of 0.01"],
     ),
     (
         FRONT,
         &[StopUnder(0.05)],
-        &["ended at a transmittance of 1/20"],
+        &["ended at a transmittance of 0.05"],
     ),
     (
         FRONT,
@@ -109,7 +109,7 @@ const DOUBLE: &[Mutant] = &[
     (
         FRONT,
         &[LastDropped, StopUnder(0.01)],
-        &["last sample missing", "1/100"],
+        &["last sample missing", "transmittance of 0.01"],
     ),
     (
         FRONT,
@@ -130,7 +130,7 @@ const DOUBLE: &[Mutant] = &[
     (
         MIDDLE,
         &[SampleMiddle, EmissionTwice, StopUnder(0.05)],
-        &["middle", "twice", "1/20"],
+        &["middle", "twice", "transmittance of 0.05"],
     ),
     (
         FRONT,
@@ -172,7 +172,7 @@ const DOUBLE: &[Mutant] = &[
     (
         MIDDLE,
         &[Table(128), StopUnder(0.01)],
-        &["128 entries", "1/100"],
+        &["128 entries", "transmittance of 0.01"],
     ),
     (
         MIDDLE,
@@ -183,21 +183,20 @@ const DOUBLE: &[Mutant] = &[
 
 /// All that the report says of what the kernel computes.
 fn said(verification: &Verification) -> String {
-    let mut said = String::new();
-    if let Some(best) = verification
-        .fingerprint
-        .as_ref()
-        .and_then(|f| f.best.as_ref())
-    {
-        said += &format!("{} [{} of {}]", best.model, best.agrees.len(), best.of);
-        for model in alike(verification) {
-            said += &format!(" = {model}");
-        }
+    let mut said = Vec::new();
+    let found = verification.fingerprint.as_ref();
+    if let Some(best) = found.and_then(|found| found.best.as_ref()) {
+        said.push(format!(
+            "{} [{} of {}]",
+            best.model,
+            best.agrees.len(),
+            best.of
+        ));
+        said.extend(alike(verification).iter().map(ToString::to_string));
     }
-    for finding in &verification.findings {
-        said += &format!("; {} ({})", finding.defect, finding.channels.len());
-    }
-    said
+    let findings = verification.findings.iter();
+    said.extend(findings.map(|one| format!("{} ({})", one.defect, one.channels.len())));
+    said.join(" = ")
 }
 
 fn alike(verification: &Verification) -> Vec<Model> {

@@ -5,7 +5,7 @@ use volver::kernel::{Data, Declaration, FormKind, Segments, Task, Volume};
 
 /// What a marcher does wrong, or in its own way.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub enum Fault {
+pub(crate) enum Fault {
     SampleMiddle,
     SampleBack,
     FirstDropped,
@@ -38,7 +38,7 @@ pub enum Fault {
 }
 
 /// The radiance of one channel.
-pub fn march(task: &Task<'_>, channel: usize, faults: &[Fault]) -> f64 {
+pub(crate) fn march(task: &Task<'_>, channel: usize, faults: &[Fault]) -> f64 {
     let has = |fault: Fault| faults.contains(&fault);
     let mut samples: Vec<(f64, f64, f64)> = match task.data {
         Data::Segments(segments) => of_segments(segments, channel, faults),
@@ -275,7 +275,7 @@ fn narrow(samples: &[(f64, f64, f64)]) -> f64 {
 }
 
 /// What the marcher says of itself, whatever it does.
-pub fn declared(method: &str, faults: &[Fault]) -> Declaration {
+pub(crate) fn declared(method: &str, faults: &[Fault]) -> Declaration {
     let volume = faults
         .iter()
         .any(|fault| matches!(fault, Fault::Table(_) | Fault::NearestEntry));

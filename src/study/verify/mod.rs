@@ -99,14 +99,13 @@ pub fn verify(
             watched.push(seen);
         }
     }
-    let accuracy = Accuracy::Rounding {
-        unit: nominal::unit(&declaration),
-        quantum: declaration.quantum.unwrap_or(0.0),
-    };
+    let quantum = declaration.quantum.unwrap_or(0.0);
+    let accuracy = Accuracy::new(nominal::unit(&declaration), quantum);
     let complete: Vec<usize> = (0..lines.len())
         .filter(|&index| lines[index].is_complete())
         .collect();
-    let comparable = !declaration.stochastic && settings.axis == Axis::Step;
+    let steady = !declaration.stochastic && lines.iter().all(|line| line.steady);
+    let comparable = steady && settings.axis == Axis::Step;
     let fingerprint = (comparable && !complete.is_empty()).then(|| {
         let whole: Vec<Watched> = complete.iter().map(|&i| watched[i].clone()).collect();
         let mut found = fingerprint(&whole, &declaration, accuracy);

@@ -1,9 +1,8 @@
 //! What the declared method itself gives at every level: exactly, and in the declared format.
 
-use crate::case::{Fresh, SymbolicCase};
+use crate::case::SymbolicCase;
 use crate::diagnosis::{Model, Ray, Recipe, radiance};
-use crate::kernel::{Declaration, Segments};
-use crate::method::Method;
+use crate::kernel::{Declaration, Segments, radiance_in};
 use crate::real::{Format, FormatName, Real, WithFormat};
 use rug::Float;
 
@@ -64,10 +63,7 @@ pub(super) fn at_level(
             })
         }
         Model::Method(method) => {
-            let of = |format: FormatName| {
-                let n = uniform?;
-                format.with(OfMethod { method, case, n })
-            };
+            let of = |format: FormatName| radiance_in(format, &method, case, uniform?).ok();
             Some(Nominal {
                 exact: of(more)?,
                 in_format: of(declaration.format)?,
@@ -88,21 +84,5 @@ impl WithFormat for OfRecipe<'_> {
     fn run<F: Format>(self, format: F) -> Float {
         let ray: Ray<F::Real> = Ray::new(self.segments, self.channel, format);
         radiance(&self.recipe, &ray, format).to_float()
-    }
-}
-
-struct OfMethod<'a> {
-    method: Method,
-    case: &'a SymbolicCase,
-    n: u64,
-}
-
-impl WithFormat for OfMethod<'_> {
-    type Output = Option<Float>;
-
-    fn run<F: Format>(self, format: F) -> Option<Float> {
-        let nodes = Fresh::new(self.case, format);
-        let radiance = self.method.radiance(&nodes, self.n).ok()?;
-        Some(radiance.to_float())
     }
 }
