@@ -9,6 +9,7 @@
 //! | [`write_directory`] | all of them as files |
 //! | [`nonsmooth`] | the table of jumps and kinks, as text, Markdown and JSON |
 //! | [`study`] | a study, as text, Markdown, JSON, CSV, LaTeX and plots |
+//! | [`verify`](mod@verify) | a kernel put to the test, as text, Markdown, JSON, `JUnit` XML and plots |
 //! | [`stress`] | digits and verdicts at the extremes, as text, Markdown, JSON and a heat map |
 //!
 //! Nothing here computes an order: a report shows what [`Entry`](crate::study::reproduce::Entry) and
@@ -27,6 +28,7 @@ pub mod stress;
 pub mod study;
 pub mod svg;
 pub mod text;
+pub mod verify;
 mod write;
 
 pub use error::ReportError;

@@ -1,0 +1,178 @@
+//! Everything, for programs.
+
+use super::words::theory;
+use crate::convergence::{Fit, Sample, StochasticFit, serialize_float};
+use crate::diagnosis::Match;
+use crate::report::ReportError;
+use crate::study::verify::{Axis, Line, Measured, Verification};
+use rug::Float;
+use serde::Serialize;
+
+#[derive(Serialize)]
+struct Document<'a> {
+    volver: &'static str,
+    kernel: Kernel<'a>,
+    axis: &'static str,
+    uneven: bool,
+    ladder: &'a [u64],
+    conclusion: &'static str,
+    counts: Counts,
+    fingerprint: Option<Found>,
+    findings: Vec<Finding<'a>>,
+    lines: Vec<Row<'a>>,
+}
+
+#[derive(Serialize)]
+struct Kernel<'a> {
+    name: &'a str,
+    form: String,
+    method: Option<String>,
+    order: Option<f64>,
+    format: String,
+    quantum: Option<f64>,
+    stochastic: bool,
+    sampling: Option<String>,
+    far_wall: bool,
+}
+
+#[derive(Serialize)]
+struct Counts {
+    confirmed: usize,
+    contradicted: usize,
+    inconclusive: usize,
+    blind: usize,
+    failed: usize,
+}
+
+#[derive(Serialize)]
+struct Found {
+    named: bool,
+    model: Option<String>,
+    digits: Option<f64>,
+    agrees: usize,
+    of: usize,
+    alike: Vec<String>,
+    contradicts_declaration: bool,
+}
+
+#[derive(Serialize)]
+struct Finding<'a> {
+    defect: &'a str,
+    channels: &'a [String],
+}
+
+#[derive(Serialize)]
+struct Row<'a> {
+    name: &'a str,
+    expected: String,
+    standing: &'static str,
+    verdict: &'static str,
+    order: Option<f64>,
+    half_width: Option<f64>,
+    #[serde(serialize_with = "serialize_float")]
+    exact: Float,
+    steady: bool,
+    failures: Vec<Failure>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    fit: Option<&'a Fit>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    samples: Option<&'a [Sample]>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    stochastic: Option<&'a StochasticFit>,
+}
+
+#[derive(Serialize)]
+struct Failure {
+    segments: u64,
+    error: String,
+}
+
+/// `{"volver": version, "kernel": …, "conclusion": …, "fingerprint": …, "lines": […]}`, indented, with a newline at
+/// the end.
+///
+/// # Errors
+/// [`ReportError::Json`], which no verification is known to cause.
+pub fn json(verification: &Verification) -> Result<String, ReportError> {
+    let declaration = &verification.declaration;
+    let settings = &verification.settings;
+    let counts = verification.counts();
+    let document = Document {
+        volver: env!("CARGO_PKG_VERSION"),
+        kernel: Kernel {
+            name: &declaration.name,
+            form: declaration.form.to_string(),
+            method: declaration.method.map(|method| method.name()),
+            order: declaration.order,
+            format: declaration.format.to_string(),
+            quantum: declaration.quantum,
+            stochastic: declaration.stochastic,
+            sampling: declaration.claimed_sampling().map(|s| s.to_string()),
+            far_wall: declaration.far_wall,
+        },
+        axis: match settings.axis {
+            Axis::Step => "step",
+            Axis::Grid => "grid",
+        },
+        uneven: settings.uneven,
+        ladder: &settings.ladder,
+        conclusion: verification.conclusion().name(),
+        counts: Counts {
+            confirmed: counts.confirmed,
+            contradicted: counts.contradicted,
+            inconclusive: counts.inconclusive,
+            blind: counts.blind,
+            failed: counts.failed,
+        },
+        fingerprint: verification.fingerprint.as_ref().map(|found| {
+            let best: Option<&Match> = found.best.as_ref();
+            Found {
+                named: found.is_named(),
+                model: best.map(|best| best.model.to_string()),
+                digits: best.map(|best| best.digits),
+                agrees: best.map_or(0, |best| best.agrees.len()),
+                of: best.map_or(0, |best| best.of),
+                alike: found.alike.iter().map(ToString::to_string).collect(),
+                contradicts_declaration: found.contradicts_declaration(),
+            }
+        }),
+        findings: verification
+            .findings
+            .iter()
+            .map(|finding| Finding {
+                defect: &finding.defect,
+                channels: &finding.channels,
+            })
+            .collect(),
+        lines: verification.lines.iter().map(row).collect(),
+    };
+    let mut text = serde_json::to_string_pretty(&document)?;
+    text.push('\n');
+    Ok(text)
+}
+
+fn row(line: &Line) -> Row<'_> {
+    let order = line.measured.order();
+    let (fit, samples, stochastic) = match &line.measured {
+        Measured::Fitted { fit, samples } => (Some(fit.as_ref()), Some(&samples[..]), None),
+        Measured::Scattered(fit) => (None, None, Some(fit.as_ref())),
+        Measured::Nothing => (None, None, None),
+    };
+    let failures = line.failures.iter().map(|failure| Failure {
+        segments: failure.segments,
+        error: failure.error.to_string(),
+    });
+    Row {
+        name: &line.name,
+        expected: theory(line.expected),
+        standing: line.standing.name(),
+        verdict: line.measured.verdict().name(),
+        order: order.map(|(order, _)| order),
+        half_width: order.map(|(_, half_width)| half_width),
+        exact: line.exact.clone(),
+        steady: line.steady,
+        failures: failures.collect(),
+        fit,
+        samples,
+        stochastic,
+    }
+}

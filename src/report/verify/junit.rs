@@ -1,0 +1,108 @@
+//! `JUnit` XML, which CI servers show: one test case a channel, and one for the fingerprint.
+
+use super::words::{fingerprint, order, theory};
+use crate::diagnosis::Fingerprint;
+use crate::study::verify::{Conclusion, Line, Standing, Verification};
+use std::fmt::Write;
+
+/// The document. A channel that contradicts is a failure, one that failed is an error; an inconclusive or blind one is
+/// skipped. Values that are not those of the declared method are a failure too.
+#[must_use]
+pub fn junit(verification: &Verification) -> String {
+    let mut cases = String::new();
+    let suite = escape(&verification.declaration.name);
+    for line in &verification.lines {
+        let name = escape(&line.name);
+        // Writing to a String does not fail.
+        let _ = writeln!(
+            cases,
+            "    <testcase classname=\"{suite}\" name=\"{name}\">{}</testcase>",
+            body(line)
+        );
+    }
+    let deviates = verification
+        .fingerprint
+        .as_ref()
+        .is_some_and(Fingerprint::contradicts_declaration);
+    let sentences = escape(&fingerprint(verification).join("; "));
+    let inside = if deviates {
+        format!("<failure message=\"{sentences}\"/>")
+    } else {
+        format!("<system-out>{sentences}</system-out>")
+    };
+    let _ = writeln!(
+        cases,
+        "    <testcase classname=\"{suite}\" name=\"fingerprint\">{inside}</testcase>"
+    );
+    let counts = verification.counts();
+    let nothing = verification.conclusion() != Conclusion::Confirmed
+        && counts.contradicted + counts.failed == 0
+        && !deviates;
+    if nothing {
+        let _ = writeln!(
+            cases,
+            "    <testcase classname=\"{suite}\" name=\"conclusion\"><failure message=\"no order is confirmed\"/></testcase>"
+        );
+    }
+    let tests = verification.lines.len() + 1 + usize::from(nothing);
+    let failures = counts.contradicted + usize::from(deviates) + usize::from(nothing);
+    let skipped = counts.inconclusive + counts.blind;
+    let totals = format!(
+        "tests=\"{tests}\" failures=\"{failures}\" errors=\"{}\" skipped=\"{skipped}\"",
+        counts.failed
+    );
+    format!(
+        "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<testsuites {totals}>\n  <testsuite name=\"{suite}\" {totals}>\n{cases}  </testsuite>\n</testsuites>\n"
+    )
+}
+
+fn body(line: &Line) -> String {
+    let found = format!(
+        "{}: expected {}, measured {}",
+        line.measured.verdict(),
+        theory(line.expected),
+        order(line)
+    );
+    let found = escape(&found);
+    match line.standing {
+        Standing::Confirmed => String::new(),
+        Standing::Contradicted => format!("<failure message=\"{found}\"/>"),
+        Standing::Inconclusive | Standing::Blind => {
+            format!("<skipped message=\"{} ({found})\"/>", line.standing)
+        }
+        Standing::Failed => {
+            let errors = line.failures.iter();
+            let errors = errors.map(|f| format!("n = {}: {}", f.segments, f.error));
+            let errors: Vec<String> = errors.collect();
+            format!("<error message=\"{}\"/>", escape(&errors.join("; ")))
+        }
+    }
+}
+
+/// Text inside XML; characters that XML has no place for become spaces.
+fn escape(text: &str) -> String {
+    let mut escaped = String::with_capacity(text.len());
+    for character in text.chars() {
+        match character {
+            '&' => escaped.push_str("&amp;"),
+            '<' => escaped.push_str("&lt;"),
+            '>' => escaped.push_str("&gt;"),
+            '"' => escaped.push_str("&quot;"),
+            '\u{fffe}' | '\u{ffff}' => escaped.push(' '),
+            control if control.is_control() => escaped.push(' '),
+            other => escaped.push(other),
+        }
+    }
+    escaped
+}
+
+#[cfg(test)]
+mod tests {
+    use super::escape;
+
+    #[test]
+    fn whatever_a_kernel_says_is_text() {
+        let said = "a<b> & \"c\"\u{1b}[31m\u{0}";
+        assert_eq!(escape(said), "a&lt;b&gt; &amp; &quot;c&quot; [31m ");
+    }
+}

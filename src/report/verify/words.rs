@@ -1,0 +1,222 @@
+//! The words that the reports of a verification share.
+
+use crate::diagnosis::{Fingerprint, Match, Model};
+use crate::method::Expected;
+use crate::study::verify::{Axis, Conclusion, Counts, Line, Measured, Standing, Verification};
+
+/// What stands where there is no figure.
+pub(super) const NONE: &str = "-";
+
+/// Errors as high as their logarithms, the largest first.
+const BARS: [char; 8] = ['▁', '▂', '▃', '▄', '▅', '▆', '▇', '█'];
+
+/// "2", "exact", "blind"; "-" where nothing is promised.
+pub(super) fn theory(expected: Option<Expected>) -> String {
+    match expected {
+        Some(Expected::Order(order)) => format!("{order}"),
+        Some(Expected::Exact) => "exact".into(),
+        Some(Expected::Blind { .. }) => "blind".into(),
+        Some(Expected::Unknown) | None => NONE.into(),
+    }
+}
+
+/// "1.003 ± 0.021"; without a window the last pair's order, which has no interval: "~1.00".
+pub(super) fn order(line: &Line) -> String {
+    let is_windowed = match &line.measured {
+        Measured::Fitted { fit, .. } => fit.window.is_some(),
+        Measured::Scattered(_) => true,
+        Measured::Nothing => false,
+    };
+    match line.measured.order() {
+        Some((order, half_width)) if is_windowed => format!("{order:.3} ± {half_width:.3}"),
+        Some((order, _)) => format!("~{order:.2}"),
+        None => NONE.into(),
+    }
+}
+
+/// The levels of the window: "64…512", or steps where n is not known.
+pub(super) fn window(line: &Line) -> String {
+    let Measured::Fitted { fit, samples } = &line.measured else {
+        return NONE.into();
+    };
+    let level = |index: usize| {
+        let sample = samples.get(index)?;
+        Some(match sample.n {
+            Some(n) => n.to_string(),
+            None => format!("{:.1e}", sample.step),
+        })
+    };
+    let ends = fit
+        .window
+        .and_then(|window| level(window.first).zip(level(window.last)));
+    ends.map_or(NONE.into(), |(first, last)| format!("{first}…{last}"))
+}
+
+/// The floor's magnitude: "2e-16".
+pub(super) fn floor(line: &Line) -> String {
+    match &line.measured {
+        Measured::Fitted { fit, .. } if !fit.floor.is_zero() => {
+            format!("{:.0e}", fit.floor.to_f64())
+        }
+        _ => NONE.into(),
+    }
+}
+
+/// The errors of all levels, one bar each: the logarithm of the largest is the highest.
+pub(super) fn bars(line: &Line) -> String {
+    let sizes: Vec<f64> = match &line.measured {
+        Measured::Fitted { samples, .. } => samples
+            .iter()
+            .map(|sample| sample.error.to_f64().abs())
+            .collect(),
+        Measured::Scattered(fit) => fit.levels.iter().map(|level| level.deviation).collect(),
+        Measured::Nothing => Vec::new(),
+    };
+    let drawn = |size: f64| size.is_finite() && size > 0.0;
+    let logarithms = || {
+        sizes
+            .iter()
+            .filter(|size| drawn(**size))
+            .map(|size| size.ln())
+    };
+    let high = logarithms().fold(f64::NEG_INFINITY, f64::max);
+    let low = logarithms().fold(f64::INFINITY, f64::min);
+    let bar = |size: &f64| {
+        if !drawn(*size) {
+            return ' ';
+        }
+        let part = if high > low {
+            (size.ln() - low) / (high - low)
+        } else {
+            1.0
+        };
+        // Between 0 and 7.
+        #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss)]
+        let index = (part * 7.0).round() as usize;
+        BARS.get(index).copied().unwrap_or(' ')
+    };
+    sizes.iter().map(bar).collect()
+}
+
+/// One sign for what a channel says.
+pub(super) fn sign(standing: Standing) -> char {
+    match standing {
+        Standing::Confirmed => '✓',
+        Standing::Contradicted => '✗',
+        Standing::Inconclusive => '?',
+        Standing::Blind => '·',
+        Standing::Failed => '!',
+    }
+}
+
+/// "41 confirmed, 0 contradicted, 9 inconclusive, 8 blind of 58 channels".
+pub(super) fn counts(counts: Counts, of: usize) -> String {
+    let failed = match counts.failed {
+        0 => String::new(),
+        failed => format!(", {failed} failed"),
+    };
+    format!(
+        "{} confirmed, {} contradicted, {} inconclusive, {} blind{failed} of {of} channels",
+        counts.confirmed, counts.contradicted, counts.inconclusive, counts.blind
+    )
+}
+
+/// What the values say in all, in sentences.
+pub(super) fn fingerprint(verification: &Verification) -> Vec<String> {
+    let Some(found) = &verification.fingerprint else {
+        return Vec::new();
+    };
+    let mut sentences = vec![match &found.best {
+        Some(best) if found.is_named() => {
+            format!("the values are those of: {}", matched(best))
+        }
+        Some(best) => format!(
+            "no known model reproduces the values; nearest: {}",
+            matched(best)
+        ),
+        None => "no known model reproduces the values".into(),
+    }];
+    if found.is_named() && !found.alike.is_empty() {
+        let alike: Vec<String> = found
+            .alike
+            .iter()
+            .take(3)
+            .map(ToString::to_string)
+            .collect();
+        sentences.push(format!(
+            "the same numbers come from: {}",
+            alike.join("; or ")
+        ));
+    }
+    if let Some(declared) = declared(found) {
+        sentences.push(declared);
+    }
+    sentences
+}
+
+/// "front samples, …: agrees to 15 digits in 22 of 24 cases".
+fn matched(best: &Match) -> String {
+    let digits = best.digits.floor();
+    let (agrees, of) = (best.agrees.len(), best.of);
+    format!(
+        "{}: agrees to {digits} digits in {agrees} of {of} channels",
+        best.model
+    )
+}
+
+/// What becomes of the declared method, where the values are not its.
+fn declared(found: &Fingerprint) -> Option<String> {
+    let declared = found.declared.as_ref()?;
+    if !found.contradicts_declaration() {
+        return None;
+    }
+    let Match {
+        model, agrees, of, ..
+    } = declared;
+    let model = match model {
+        Model::Recipe(recipe) => recipe.to_string(),
+        Model::Method(method) => method.to_string(),
+    };
+    Some(format!(
+        "that is not what it declares: {model} gives these values in {} of {of} channels only",
+        agrees.len()
+    ))
+}
+
+/// Why a verification is not confirmed, or what makes it so.
+pub(super) fn conclusion(verification: &Verification) -> String {
+    let counts = verification.counts();
+    let all = self::counts(counts, verification.lines.len());
+    match verification.conclusion() {
+        Conclusion::Confirmed => format!("confirmed: {all}"),
+        Conclusion::CouldNotRun => {
+            format!("could not run: no level of any case was answered; {all}")
+        }
+        Conclusion::NotConfirmed => {
+            let nothing_expected = verification
+                .lines
+                .iter()
+                .all(|line| line.expected.is_none());
+            let why = if nothing_expected {
+                " (nothing was promised: --expect ORDER, or let the kernel declare a method)"
+            } else {
+                ""
+            };
+            format!("not confirmed: {all}{why}")
+        }
+    }
+}
+
+/// What was refined, and how.
+pub(super) fn axis(verification: &Verification) -> String {
+    let settings = &verification.settings;
+    let ladder = match (settings.ladder.first(), settings.ladder.last()) {
+        (Some(first), Some(last)) => format!("{first}…{last}"),
+        _ => NONE.into(),
+    };
+    match settings.axis {
+        Axis::Step if settings.uneven => format!("n = {ladder}, d = ⅞ D/n divides no ray"),
+        Axis::Step => format!("n = {ladder}"),
+        Axis::Grid => format!("cells of the grid = {ladder}"),
+    }
+}
