@@ -1,1 +1,110 @@
 //! Kernels in shared libraries, by the C interface of `include/volver.h`.
+//!
+//! A library shares this process: one that crashes, loops for ever or writes where it must not takes the
+//! process with it, and everything measured. [`process`](super::process) is the safe way; this one is for code
+//! that is known to behave, and for callbacks λ → (C, τ), which no pipe is quick enough for.
+
+mod abi;
+mod declared;
+
+use super::{Data, Declaration, Kernel, KernelError, Rendering, Task};
+use abi::{Failure, Functions};
+use rug::Float;
+use std::fs;
+use std::path::Path;
+
+/// A kernel in a shared library.
+#[derive(Debug)]
+pub struct LibraryKernel {
+    path: String,
+    functions: Functions,
+    declaration: Declaration,
+}
+
+impl LibraryKernel {
+    /// Loads the library and asks it what it is. It stays loaded until the process ends: threads that it
+    /// started, OpenMP's for instance, would run on without their code.
+    ///
+    /// Its code runs in this process and is trusted to keep to `include/volver.h`, as a program that is run is
+    /// trusted with what its user may do.
+    ///
+    /// # Errors
+    /// [`KernelError::Library`] where the file is missing, is no shared library, lacks one of the interface's
+    /// functions, was compiled for another version of it, or declares what is not possible.
+    pub fn open(path: &Path) -> Result<Self, KernelError> {
+        let shown = path.display().to_string();
+        let fails = |problem| KernelError::Library {
+            path: shown.clone(),
+            problem,
+        };
+        // A name without a slash would be looked for among the system's libraries.
+        let file = fs::canonicalize(path).map_err(|error| fails(error.to_string()))?;
+        let functions = Functions::load(&file).map_err(fails)?;
+        let default_name = path.file_stem().unwrap_or(path.as_os_str());
+        let declaration = functions
+            .declare()
+            .and_then(|declared| declared.checked(&default_name.to_string_lossy()))
+            .map_err(fails)?;
+        Ok(LibraryKernel {
+            path: shown,
+            functions,
+            declaration,
+        })
+    }
+}
+
+impl Kernel for LibraryKernel {
+    fn declaration(&self) -> &Declaration {
+        &self.declaration
+    }
+
+    fn render(&mut self, task: &Task<'_>) -> Result<Rendering, KernelError> {
+        let (given, wanted) = (task.data.kind(), self.declaration.form);
+        if given != wanted {
+            return Err(KernelError::Form { given, wanted });
+        }
+        let answer = self
+            .functions
+            .render(task)
+            .map_err(|failure| match failure {
+                Failure::Refused(reason) => KernelError::Refused { reason },
+                Failure::Broken(problem) => KernelError::Library {
+                    path: self.path.clone(),
+                    problem: problem.into(),
+                },
+            })?;
+        if !(answer.step >= 0.0 && answer.step.is_finite()) {
+            return Err(KernelError::Used {
+                what: "step",
+                value: answer.step,
+            });
+        }
+        let told = |values: &[f64]| values.iter().any(|value| !value.is_nan());
+        let float = |value: &f64| Float::with_val(f64::MANTISSA_DIGITS, *value);
+        Ok(Rendering {
+            radiance: answer.radiance.iter().map(float).collect(),
+            opacity: Some(&answer.opacity).filter(|o| !o.is_nan()).map(float),
+            step: Some(answer.step).filter(|step| *step > 0.0),
+            segments: Some(answer.segments).filter(|segments| *segments > 0),
+            standard_error: Some(answer.standard_error).filter(|errors| told(errors)),
+        })
+    }
+}
+
+/// Whether arrays are as long as a library will take them to be.
+fn fits(task: &Task<'_>) -> bool {
+    let Data::Segments(segments) = task.data else {
+        return true;
+    };
+    let channels = task.subject.channels().len();
+    [(&segments.edges, 1), (&segments.middles, 0)]
+        .into_iter()
+        .all(|(samples, more)| {
+            let count = segments.count() + more;
+            samples.lambda.len() == count
+                && samples.extinction.len() == count
+                && samples.emission.len() == channels
+                && samples.emission.iter().all(|c| c.len() == count)
+        })
+        && u64::try_from(segments.count()) == Ok(task.segments)
+}

@@ -1,0 +1,69 @@
+//! What a library declares, as it says it.
+
+use crate::kernel::{Declaration, FormKind};
+use std::str::FromStr;
+
+/// `volver_declaration`, with its strings.
+#[derive(Debug)]
+pub(super) struct Declared {
+    pub(super) name: Option<String>,
+    pub(super) form: Option<String>,
+    pub(super) method: Option<String>,
+    pub(super) format: Option<String>,
+    pub(super) sampling: Option<String>,
+    pub(super) order: f64,
+    pub(super) quantum: f64,
+    pub(super) stochastic: bool,
+    pub(super) far_wall: bool,
+}
+
+impl Declared {
+    /// The declaration, or what is wrong with it.
+    pub(super) fn checked(self, default_name: &str) -> Result<Declaration, String> {
+        let form = match self.form.as_deref() {
+            None | Some("segments") => FormKind::Segments,
+            Some("function") => FormKind::Function,
+            Some(other) => {
+                let form = other.escape_debug();
+                return Err(format!(
+                    "it declares form '{form}' (allowed: segments, function)"
+                ));
+            }
+        };
+        let order = Some(self.order).filter(|order| !order.is_nan());
+        if let Some(order) = order.filter(|order| !order.is_finite() || *order < 0.0) {
+            return Err(format!(
+                "it declares order {order} (allowed: finite, 0 or above, or NaN for none)"
+            ));
+        }
+        let quantum = self.quantum;
+        if !(quantum.is_finite() && quantum >= 0.0) {
+            return Err(format!(
+                "it declares a quantum of {quantum} (allowed: finite, above 0, or 0 for none)"
+            ));
+        }
+        let name = self.name.filter(|name| !name.trim().is_empty());
+        let mut declaration = Declaration::new(name.as_deref().unwrap_or(default_name));
+        if let Some(format) = parsed(self.format)? {
+            declaration.format = format;
+        }
+        Ok(Declaration {
+            form,
+            method: parsed(self.method)?,
+            order,
+            quantum: Some(quantum).filter(|quantum| *quantum > 0.0),
+            stochastic: self.stochastic,
+            sampling: parsed(self.sampling)?,
+            far_wall: self.far_wall,
+            ..declaration
+        })
+    }
+}
+
+fn parsed<T: FromStr<Err: ToString>>(text: Option<String>) -> Result<Option<T>, String> {
+    let read = |text: String| {
+        text.parse()
+            .map_err(|error: T::Err| format!("in its declaration: {}", error.to_string()))
+    };
+    text.map(read).transpose()
+}
