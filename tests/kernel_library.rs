@@ -46,12 +46,20 @@ fn library(code: &str) -> Option<(TempDir, PathBuf)> {
     let folder = tempfile::tempdir().unwrap();
     let source = folder.path().join("kernel.c");
     fs::write(&source, code).unwrap();
-    let path = folder.path().join("kernel.so");
-    let mut compiler = compiler("cc")?;
-    compiler.args(["-std=c99", "-shared", "-fPIC", "-o"]);
-    compiler.arg(&path).arg(&source).arg("-lm");
-    run(compiler);
+    let path = compiled(&source, &[], folder.path())?;
     Some((folder, path))
+}
+
+/// The library made of `source` with those options, in `folder`.
+fn compiled(source: &Path, options: &[&str], folder: &Path) -> Option<PathBuf> {
+    let path = folder.join("kernel.so");
+    let mut compiler = compiler("cc")?;
+    compiler
+        .args(["-std=c99", "-shared", "-fPIC"])
+        .args(options);
+    compiler.arg("-o").arg(&path).arg(source).arg("-lm");
+    run(compiler);
+    Some(path)
 }
 
 fn run(mut command: Command) {
@@ -123,6 +131,44 @@ fn the_example_in_the_header_is_a_kernel() {
     let (got, wanted) = (kernel.render(&task).unwrap(), same.render(&task).unwrap());
     let error = Float::with_val(53, &got.radiance[0] - &wanted.radiance[0]).to_f64();
     assert!(error.abs() < 1e-15, "{got:?} {wanted:?}");
+}
+
+/// `examples/kernels/front_to_back.c` in both formats, on steps that divide the ray and on one that does not.
+#[test]
+fn front_to_back_is_the_method_that_it_declares() {
+    let source = root("examples/kernels/front_to_back.c");
+    for (options, format, tolerance) in [
+        (&[][..], FormatName::F64, 1e-14),
+        (&["-DREAL=float"][..], FormatName::F32, 1e-5),
+    ] {
+        let folder = tempfile::tempdir().unwrap();
+        let Some(path) = compiled(&source, options, folder.path()) else {
+            return;
+        };
+        let mut kernel = LibraryKernel::open(&path).unwrap();
+        let declaration = kernel.declaration().clone();
+        assert_eq!(declaration.format, format);
+        let mut same = BuiltIn::new(declaration.method.unwrap(), format);
+        for case in ["sine-squared", "rgb-transfer", "homogeneous"] {
+            let subject = subject(case);
+            let segments = subject.segments(Cut::Segments(48)).unwrap();
+            let task = task(&subject, &segments);
+            let got = numbers(&kernel.render(&task).unwrap());
+            let wanted = numbers(&same.render(&task).unwrap());
+            assert_eq!(got.len(), wanted.len());
+            for (got, wanted) in got.iter().zip(&wanted) {
+                assert!((got - wanted).abs() < tolerance, "{case}: {got} {wanted}");
+            }
+        }
+        // A homogeneous slab is exact on any segments, the short last one included.
+        let subject = subject("homogeneous");
+        let segments = subject.segments(Cut::Step(0.3)).unwrap();
+        let mut task = task(&subject, &segments);
+        task.step = 0.3;
+        let (got, whole) = (kernel.render(&task).unwrap(), same.render(&task).unwrap());
+        let (got, whole) = (numbers(&got)[0], numbers(&whole)[0]);
+        assert!((got - whole).abs() < tolerance, "{got} {whole}");
+    }
 }
 
 #[test]
