@@ -2,6 +2,7 @@
 
 use super::{Failure, Outcome, write_out};
 use clap::{Args, ValueEnum};
+use volver::kernel::process;
 use volver::study::sweep::StudyFile;
 
 const EXAMPLES: &str = "\
@@ -9,9 +10,10 @@ A JSON Schema of draft 2020-12; editors that know TOML take it as well.
 
 Examples:
   volver schema
-  volver schema study";
+  volver schema study
+  volver schema protocol";
 
-/// Print the JSON Schema of a file, or which there are
+/// Print the JSON Schema of a file or a protocol, or which there are
 #[derive(Args)]
 #[command(after_help = EXAMPLES)]
 pub(crate) struct Schema {
@@ -23,17 +25,26 @@ pub(crate) struct Schema {
 #[derive(Clone, Copy, ValueEnum)]
 enum Name {
     Study,
+    Protocol,
 }
+
+const ALL: &str = "\
+study     the file that 'volver study' takes
+protocol  what a kernel in a process of its own and volver say to each other
+";
 
 impl Schema {
     pub(crate) fn run(self) -> Result<Outcome, Failure> {
-        let text = match self.name {
-            None => "study  the file that 'volver study' takes\n".to_string(),
-            Some(Name::Study) => {
-                let text = serde_json::to_string_pretty(&StudyFile::schema());
-                text.map_err(|error| Failure::Output(error.into()))? + "\n"
+        let schema = match self.name {
+            None => {
+                write_out(ALL)?;
+                return Ok(Outcome::Good);
             }
+            Some(Name::Study) => StudyFile::schema(),
+            Some(Name::Protocol) => process::schema(),
         };
+        let text = serde_json::to_string_pretty(&schema);
+        let text = text.map_err(|error| Failure::Output(error.into()))? + "\n";
         write_out(&text)?;
         Ok(Outcome::Good)
     }

@@ -42,6 +42,28 @@ pub enum KernelError {
         /// The last lines of its standard error.
         stderr: String,
     },
+    /// A greeting that is no kernel's.
+    #[error("the kernel's greeting: {problem}{}", last_words(stderr))]
+    Greeting {
+        /// What is wrong, and what is allowed.
+        problem: String,
+        /// The last lines of its standard error.
+        stderr: String,
+    },
+    /// Another greeting than at the first start.
+    #[error("started anew, the kernel declares other values of: {keys} (allowed: the same always)")]
+    Changed {
+        /// What differs.
+        keys: String,
+    },
+    /// A request that cannot be written down.
+    #[error(
+        "the request cannot be written: {reason} (allowed: a directory for temporary files with room)"
+    )]
+    Message {
+        /// What the system says.
+        reason: String,
+    },
     /// An answer to another request.
     #[error(
         "an answer to request {got} (allowed: to {wanted}, the one asked){}",
@@ -63,8 +85,16 @@ pub enum KernelError {
         /// How many there are.
         wanted: usize,
     },
+    /// Another number of standard errors than channels.
+    #[error("{got} standard errors (allowed: {wanted}, one a channel)")]
+    StandardErrors {
+        /// How many came.
+        got: usize,
+        /// How many there are.
+        wanted: usize,
+    },
     /// What it says it used is not possible.
-    #[error("a {what} of {value} really used (allowed: above 0)")]
+    #[error("a {what} of {value} really used (allowed: above 0, and whole for a number)")]
     Used {
         /// `step` or `number of segments`.
         what: &'static str,
@@ -104,6 +134,15 @@ pub enum KernelError {
     /// A method of this crate that cannot be run so.
     #[error(transparent)]
     Method(#[from] crate::method::MethodError),
+}
+
+impl KernelError {
+    /// The request cannot be written down.
+    pub(super) fn message(error: &std::io::Error) -> Self {
+        KernelError::Message {
+            reason: error.to_string(),
+        }
+    }
 }
 
 /// The end of what a child said on standard error, as a clause.

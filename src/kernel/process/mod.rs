@@ -1,1 +1,242 @@
 //! Kernels in processes of their own, by JSON lines over pipes.
+//!
+//! `docs/protocol.md` is what a kernel has to do. A child reads requests from descriptor 3 and writes answers to
+//! descriptor 4; what it prints does no harm. It is waited for no longer than [`Options`] say. A child that fails
+//! in any way is killed with its whole process group, and started anew when the next radiance is wanted; what is
+//! dropped leaves no process behind, unless a process left the group.
+
+mod answer;
+mod bare;
+mod child;
+mod files;
+mod greeting;
+mod message;
+mod number;
+mod options;
+mod pipes;
+mod registry;
+mod request;
+mod schema;
+mod tail;
+#[cfg(test)]
+mod tests;
+mod trouble;
+mod written;
+
+pub use options::Options;
+pub use registry::stop_all;
+pub use schema::schema;
+
+use super::{Declaration, Kernel, KernelError, Rendering, Task};
+use crate::real::{Format, WithFormat};
+use child::Child;
+use files::Files;
+use greeting::Greeting;
+use message::Arrays;
+use request::Writer;
+use std::io;
+use std::time::Instant;
+
+/// The version of the protocol.
+const VERSION: u64 = 1;
+
+/// A program that talks the protocol.
+#[derive(Debug)]
+pub struct ProcessKernel {
+    program: String,
+    arguments: Vec<String>,
+    options: Options,
+    greeting: Greeting,
+    /// None between a failure and the next start.
+    child: Option<Child>,
+    files: Option<Files>,
+    /// Ids go on when the child is started anew: no answer of one is taken for another's.
+    last_id: u64,
+    failures: u32,
+    last_failure: Option<KernelError>,
+}
+
+impl ProcessKernel {
+    /// Starts the program, and waits for its greeting.
+    ///
+    /// # Errors
+    /// [`KernelError`] if it does not start, or does not greet as it should in time.
+    pub fn start(
+        program: &str,
+        arguments: &[String],
+        options: Options,
+    ) -> Result<Self, KernelError> {
+        let (child, greeting) = start(program, arguments, &options)?;
+        let files = match greeting.arrays {
+            Arrays::Json => None,
+            Arrays::Npy => Some(Files::new().map_err(|error| KernelError::message(&error))?),
+        };
+        Ok(ProcessKernel {
+            program: program.into(),
+            arguments: arguments.to_vec(),
+            options,
+            greeting,
+            child: Some(child),
+            files,
+            last_id: 0,
+            failures: 0,
+            last_failure: None,
+        })
+    }
+
+    /// The number of the child's process, and of its process group; none after a failure.
+    #[must_use]
+    pub fn id(&self) -> Option<u32> {
+        self.child.as_ref().map(Child::id)
+    }
+
+    /// The end of what the child printed on its standard output, 4 KiB at most.
+    #[must_use]
+    pub fn output(&self) -> String {
+        self.child.as_ref().map(Child::output).unwrap_or_default()
+    }
+
+    /// The results of tasks in the form declared. One of several tasks may be the other ones' trouble: if no
+    /// answer comes to all at once, they are asked one by one.
+    fn results(&mut self, tasks: &[&Task<'_>]) -> Vec<Result<Rendering, KernelError>> {
+        match self.request(tasks) {
+            Ok(results) => results,
+            Err(error) if tasks.len() == 1 => vec![Err(error)],
+            Err(_) => {
+                let singly = tasks.iter();
+                singly.flat_map(|task| self.results(&[task])).collect()
+            }
+        }
+    }
+
+    /// Asks, unless it was in vain too often.
+    fn request(
+        &mut self,
+        tasks: &[&Task<'_>],
+    ) -> Result<Vec<Result<Rendering, KernelError>>, KernelError> {
+        if let Some(last) = &self.last_failure
+            && self.failures >= self.options.max_failures.max(1)
+        {
+            return Err(KernelError::GivenUp {
+                failures: self.failures,
+                last: Box::new(last.clone()),
+            });
+        }
+        let results = self.ask(tasks);
+        if let Some(files) = &mut self.files {
+            files.clear();
+        }
+        match &results {
+            Ok(_) => self.failures = 0,
+            Err(error) => {
+                self.failures += 1;
+                self.last_failure = Some(error.clone());
+            }
+        }
+        results
+    }
+
+    fn ask(
+        &mut self,
+        tasks: &[&Task<'_>],
+    ) -> Result<Vec<Result<Rendering, KernelError>>, KernelError> {
+        self.last_id += 1;
+        let mut writer = Writer {
+            numbers: self.greeting.numbers,
+            files: self.files.as_mut(),
+        };
+        let line = writer.line(self.last_id, tasks);
+        let line = line.map_err(|error| KernelError::message(&error))?;
+        let mut child = match self.child.take() {
+            Some(child) => child,
+            None => self.start_anew()?,
+        };
+        let timeout = self.options.timeout;
+        let bits = self.greeting.declaration.format.with(Bits);
+        let answer = child
+            .exchange(&line, Instant::now() + timeout)
+            .and_then(|answer| answer::read(&answer, self.last_id, tasks, bits));
+        match answer {
+            Ok(results) => {
+                self.child = Some(child);
+                Ok(results)
+            }
+            Err(trouble) => Err(child.fail(trouble, "answer", timeout)),
+        }
+    }
+
+    fn start_anew(&self) -> Result<Child, KernelError> {
+        let (child, greeting) = start(&self.program, &self.arguments, &self.options)?;
+        let changes = self.greeting.changes(&greeting);
+        if changes.is_empty() {
+            return Ok(child);
+        }
+        Err(KernelError::Changed {
+            keys: changes.join(", "),
+        })
+    }
+}
+
+/// A child that has greeted.
+fn start(
+    program: &str,
+    arguments: &[String],
+    options: &Options,
+) -> Result<(Child, Greeting), KernelError> {
+    let failed = |error: io::Error| KernelError::Start {
+        program: program.into(),
+        reason: error.to_string(),
+    };
+    let timeout = options.start_timeout;
+    let deadline = Instant::now() + timeout;
+    let mut hello = serde_json::to_vec(&greeting::hello()).map_err(|e| failed(e.into()))?;
+    hello.push(b'\n');
+    let mut child = Child::start(program, arguments).map_err(failed)?;
+    let greeting = child.exchange(&hello, deadline);
+    match greeting.and_then(|line| greeting::read(&line)) {
+        Ok(greeting) => Ok((child, greeting)),
+        Err(trouble) => Err(child.fail(trouble, "greeting", timeout)),
+    }
+}
+
+/// The significant bits of a format, and no fewer than binary64 has.
+struct Bits;
+
+impl WithFormat for Bits {
+    type Output = u32;
+
+    fn run<F: Format>(self, format: F) -> u32 {
+        format.bits().max(f64::MANTISSA_DIGITS)
+    }
+}
+
+impl Kernel for ProcessKernel {
+    fn declaration(&self) -> &Declaration {
+        &self.greeting.declaration
+    }
+
+    fn render(&mut self, task: &Task<'_>) -> Result<Rendering, KernelError> {
+        let mut results = self.render_all(std::slice::from_ref(task));
+        // One task, one result.
+        results
+            .pop()
+            .unwrap_or(Err(KernelError::Channels { got: 0, wanted: 1 }))
+    }
+
+    fn render_all(&mut self, tasks: &[Task<'_>]) -> Vec<Result<Rendering, KernelError>> {
+        let wanted = self.greeting.declaration.form;
+        let fits = |task: &&Task<'_>| task.data.kind() == wanted;
+        let fitting: Vec<&Task<'_>> = tasks.iter().filter(fits).collect();
+        let results = match fitting.as_slice() {
+            [] => Vec::new(),
+            fitting => self.results(fitting),
+        };
+        let mut results = results.into_iter();
+        let mut result = |task: &Task<'_>| {
+            let given = task.data.kind();
+            let fitting = (given == wanted).then(|| results.next()).flatten();
+            fitting.unwrap_or(Err(KernelError::Form { given, wanted }))
+        };
+        tasks.iter().map(&mut result).collect()
+    }
+}

@@ -1,0 +1,136 @@
+//! What a kernel says of itself, and how it wants to be talked to.
+
+use super::VERSION;
+use super::message::{Arrays, Form, HelloTag, KernelHello, VolverHello, WireLanguage};
+use super::number::Number;
+use super::trouble::{Trouble, said};
+use super::written::Numbers;
+use crate::kernel::{Declaration, FormKind};
+use crate::real::FormatName;
+use crate::symbolic::code::Language;
+use serde_json::Value;
+use std::fmt::Display;
+use std::str::FromStr;
+
+/// The longest name, in characters.
+const MAX_NAME: usize = 100;
+
+/// A greeting that makes sense.
+#[derive(Clone, Debug, PartialEq)]
+pub(super) struct Greeting {
+    pub(super) declaration: Declaration,
+    pub(super) numbers: Numbers,
+    pub(super) arrays: Arrays,
+}
+
+/// What volver says first.
+pub(super) fn hello() -> VolverHello {
+    VolverHello {
+        tag: HelloTag::Hello,
+        protocol: VERSION,
+        program: concat!("volver ", env!("CARGO_PKG_VERSION")),
+    }
+}
+
+/// The kernel's answer to that.
+pub(super) fn read(line: &[u8]) -> Result<Greeting, Trouble> {
+    let value: Value = match serde_json::from_slice(line) {
+        Ok(value @ Value::Object(_)) => value,
+        Ok(_) | Err(_) => return Err(Trouble::garbage("no JSON object", line)),
+    };
+    // Another version may well have other keys: that is said first.
+    match value.get("protocol") {
+        Some(version) if version.as_u64() != Some(VERSION) => {
+            Err(format!("protocol {version} (allowed: {VERSION})"))
+        }
+        _ => serde_json::from_value(value)
+            .map_err(|error| said(&error))
+            .and_then(greeting),
+    }
+    .map_err(|problem| Trouble::Greeting { problem })
+}
+
+fn greeting(hello: KernelHello) -> Result<Greeting, String> {
+    let name = hello.name;
+    if !(1..=MAX_NAME).contains(&name.chars().count()) || name.chars().any(char::is_control) {
+        return Err(format!(
+            "name '{}' (allowed: 1 to {MAX_NAME} characters that can be seen)",
+            name.escape_debug()
+        ));
+    }
+    let form = match (hello.form, hello.language) {
+        (Form::Segments, None) => FormKind::Segments,
+        (Form::Volume, None) => FormKind::Volume,
+        (Form::Formula, Some(language)) => FormKind::Formula(match language {
+            WireLanguage::Python => Language::Python,
+            WireLanguage::C => Language::C,
+            WireLanguage::Rust => Language::Rust,
+        }),
+        (Form::Formula, None) => {
+            return Err("no language of the formula (allowed: python, c, rust)".into());
+        }
+        (Form::Segments | Form::Volume, Some(_)) => {
+            return Err("a language without need (allowed: with the form formula)".into());
+        }
+    };
+    let declaration = Declaration {
+        name,
+        form,
+        method: hello
+            .method
+            .map(|name| named("method", &name))
+            .transpose()?,
+        order: above_zero("order", hello.order)?,
+        format: match hello.format {
+            Some(name) => named("format", &name)?,
+            None => FormatName::F64,
+        },
+        quantum: above_zero("quantum", hello.quantum)?,
+        stochastic: hello.stochastic,
+        sampling: hello.sampling.map(Into::into),
+        far_wall: hello.far_wall,
+    };
+    Ok(Greeting {
+        declaration,
+        numbers: hello.numbers,
+        arrays: hello.arrays,
+    })
+}
+
+fn named<T: FromStr<Err: Display>>(key: &str, name: &str) -> Result<T, String> {
+    name.parse().map_err(|error| format!("{key}: {error}"))
+}
+
+fn above_zero(key: &str, number: Option<Number>) -> Result<Option<f64>, String> {
+    let Some(number) = number else {
+        return Ok(None);
+    };
+    let value = number.to_f64();
+    if value.is_finite() && value > 0.0 {
+        return Ok(Some(value));
+    }
+    Err(format!("{key} {value} (allowed: finite, above 0)"))
+}
+
+impl Greeting {
+    /// The keys in which another greeting differs.
+    pub(super) fn changes(&self, other: &Greeting) -> Vec<&'static str> {
+        let (a, b) = (&self.declaration, &other.declaration);
+        [
+            ("name", a.name == b.name),
+            ("form", a.form == b.form),
+            ("method", a.method == b.method),
+            ("order", a.order == b.order),
+            ("format", a.format == b.format),
+            ("quantum", a.quantum == b.quantum),
+            ("stochastic", a.stochastic == b.stochastic),
+            ("sampling", a.sampling == b.sampling),
+            ("far_wall", a.far_wall == b.far_wall),
+            ("numbers", self.numbers == other.numbers),
+            ("arrays", self.arrays == other.arrays),
+        ]
+        .into_iter()
+        .filter_map(|(key, same)| (!same).then_some(key))
+        .collect()
+    }
+}

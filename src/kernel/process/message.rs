@@ -1,0 +1,254 @@
+//! The messages, as `docs/protocol.md` has them. What is said of a field here stands in the schema.
+
+use super::number::Number;
+use super::written::{Array, Numbers, Written};
+use crate::kernel::Sampling;
+use schemars::JsonSchema;
+use serde::{Deserialize, Serialize};
+use serde_json::Value;
+
+/// What a greeting says that it is.
+#[derive(Clone, Copy, Debug, Serialize, Deserialize, JsonSchema)]
+#[serde(rename_all = "lowercase")]
+#[schemars(inline)]
+pub(super) enum HelloTag {
+    Hello,
+}
+
+/// What a request says that it is.
+#[derive(Clone, Copy, Debug, Serialize, JsonSchema)]
+#[serde(rename_all = "lowercase")]
+#[schemars(inline)]
+pub(super) enum RenderTag {
+    Render,
+}
+
+/// What an answer says that it is.
+#[derive(Clone, Copy, Debug, Deserialize, JsonSchema)]
+#[serde(rename_all = "lowercase")]
+#[schemars(inline)]
+pub(super) enum RadianceTag {
+    Radiance,
+}
+
+/// The first message of all, from volver.
+#[derive(Debug, Serialize, JsonSchema)]
+pub(super) struct VolverHello {
+    #[serde(rename = "type")]
+    pub(super) tag: HelloTag,
+    /// The version of the protocol.
+    #[schemars(extend("const" = super::VERSION))]
+    pub(super) protocol: u64,
+    /// Who asks, for logs.
+    pub(super) program: &'static str,
+}
+
+/// The kernel's answer to it: what it says of itself.
+#[derive(Debug, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub(super) struct KernelHello {
+    #[serde(rename = "type")]
+    #[expect(dead_code, reason = "there is no other value")]
+    tag: HelloTag,
+    /// The version of the protocol.
+    #[schemars(extend("const" = super::VERSION))]
+    #[expect(dead_code, reason = "checked before the other keys are looked at")]
+    protocol: u64,
+    /// Its name, for reports.
+    #[schemars(length(min = 1, max = 100))]
+    pub(super) name: String,
+    /// What it is to be given.
+    pub(super) form: Form,
+    /// The language of the source code it is to be given; with the form `formula`, and only there.
+    pub(super) language: Option<WireLanguage>,
+    /// The method of volver that it means to be, by its name, such as front-to-back/front/subtraction.
+    pub(super) method: Option<String>,
+    /// The order of accuracy that it claims on smooth cases; a method says more.
+    pub(super) order: Option<Number>,
+    /// The format that it computes in, by volver's name: f32, f64, mpfr:128 …; f64 unless given.
+    pub(super) format: Option<String>,
+    /// What its answers are multiples of, in the units of the radiance, where that is coarser than the format.
+    pub(super) quantum: Option<Number>,
+    /// Monte Carlo: the answer depends on the seed, and scatters.
+    #[serde(default)]
+    pub(super) stochastic: bool,
+    /// Where it samples a segment, where the method does not say.
+    pub(super) sampling: Option<WireSampling>,
+    /// It takes the last segment to be opaque: a wall of the last sample's emission stands at the end of the ray.
+    #[serde(default)]
+    pub(super) far_wall: bool,
+    /// How volver is to write numbers.
+    #[serde(default)]
+    pub(super) numbers: Numbers,
+    /// Where volver is to put arrays: into the message, or into files as numpy.save writes them.
+    #[serde(default)]
+    pub(super) arrays: Arrays,
+}
+
+/// The form in which a kernel wants its ray.
+#[derive(Clone, Copy, Debug, Deserialize, JsonSchema)]
+#[serde(rename_all = "lowercase")]
+#[schemars(inline)]
+pub(super) enum Form {
+    Segments,
+    Volume,
+    Formula,
+}
+
+/// The language of source code.
+#[derive(Clone, Copy, Debug, Deserialize, JsonSchema)]
+#[serde(rename_all = "lowercase")]
+#[schemars(inline)]
+pub(super) enum WireLanguage {
+    Python,
+    C,
+    Rust,
+}
+
+/// Where a kernel samples its segments.
+#[derive(Clone, Copy, Debug, Deserialize, JsonSchema)]
+#[serde(rename_all = "lowercase")]
+#[schemars(inline)]
+pub(super) enum WireSampling {
+    Front,
+    Middle,
+    Back,
+    Ends,
+    Jittered,
+}
+
+/// Where arrays stand.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Deserialize, JsonSchema)]
+#[serde(rename_all = "lowercase")]
+#[schemars(inline)]
+pub(super) enum Arrays {
+    #[default]
+    Json,
+    Npy,
+}
+
+impl From<WireSampling> for Sampling {
+    fn from(sampling: WireSampling) -> Self {
+        match sampling {
+            WireSampling::Front => Sampling::Front,
+            WireSampling::Middle => Sampling::Middle,
+            WireSampling::Back => Sampling::Back,
+            WireSampling::Ends => Sampling::Ends,
+            WireSampling::Jittered => Sampling::Jittered,
+        }
+    }
+}
+
+/// A request: rays to render.
+#[derive(Debug, Serialize, JsonSchema)]
+pub(super) struct Render<'a> {
+    #[serde(rename = "type")]
+    pub(super) tag: RenderTag,
+    /// To be repeated in the answer; another one in every request.
+    pub(super) id: u64,
+    /// At least one.
+    pub(super) tasks: Vec<WireTask<'a>>,
+}
+
+/// One ray.
+#[derive(Debug, Serialize, JsonSchema)]
+pub(super) struct WireTask<'a> {
+    /// The name of the case.
+    pub(super) case: &'a str,
+    /// The names of its channels, at least one: a radiance is wanted of each.
+    pub(super) channels: &'a [String],
+    /// The length D of the ray.
+    pub(super) length: Written,
+    /// The step d that is asked for, in the units of the length.
+    pub(super) step: Written,
+    /// How many segments that makes; the last is shorter where d does not divide D.
+    pub(super) segments: u64,
+    /// For kernels that draw random numbers: the same seed, the same answer.
+    pub(super) seed: u64,
+    /// The ray, in the form that the kernel asked for.
+    pub(super) data: WireData<'a>,
+}
+
+/// A ray in one of the forms.
+#[derive(Debug, Serialize, JsonSchema)]
+#[serde(tag = "form", rename_all = "lowercase")]
+pub(super) enum WireData<'a> {
+    /// Values at the ends and in the middles of n segments.
+    Segments {
+        /// At the n + 1 ends, from 0 to D.
+        edges: WireSamples<'a>,
+        /// In the n middles.
+        middles: WireSamples<'a>,
+    },
+    /// Field values on a grid along the ray, linear between, and tables of the transfer functions.
+    Volume {
+        /// s at the m + 1 places D·i/m.
+        field: Array<'a>,
+        /// The transfer functions.
+        table: WireTable<'a>,
+    },
+    /// Source code.
+    Formula {
+        /// The language declared.
+        language: String,
+        /// Defines LENGTH, field(lambda), extinction(s), and for every channel `emission_CHANNEL(s)`.
+        code: &'a str,
+    },
+}
+
+/// Values at a row of places.
+#[derive(Debug, Serialize, JsonSchema)]
+pub(super) struct WireSamples<'a> {
+    /// The distance λ from the eye.
+    pub(super) lambda: Array<'a>,
+    /// The extinction τ per unit of length.
+    pub(super) extinction: Array<'a>,
+    /// The emission C of every channel, per unit of optical depth: the source term is C·τ.
+    pub(super) emission: Vec<Array<'a>>,
+}
+
+/// Transfer functions at evenly spaced field values, linear between.
+#[derive(Debug, Serialize, JsonSchema)]
+pub(super) struct WireTable<'a> {
+    /// The field value of the first entry.
+    pub(super) first: Written,
+    /// The field value of the last entry.
+    pub(super) last: Written,
+    /// The extinction τ, by entry.
+    pub(super) extinction: Array<'a>,
+    /// The emission C, by channel and entry.
+    pub(super) emission: Vec<Array<'a>>,
+}
+
+/// The answer to a request.
+#[derive(Debug, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub(super) struct Radiance {
+    #[serde(rename = "type")]
+    #[expect(dead_code, reason = "there is no other value")]
+    tag: RadianceTag,
+    /// That of the request.
+    #[schemars(with = "u64")]
+    pub(super) id: Value,
+    /// Of every task, in the order of the tasks.
+    pub(super) results: Vec<Outcome>,
+}
+
+/// What came of a task: `radiance`, or `error` alone.
+#[derive(Debug, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+#[schemars(extend("oneOf" = [{ "required": ["radiance"] }, { "required": ["error"] }]))]
+pub(super) struct Outcome {
+    /// Of every channel, in the task's order.
+    pub(super) radiance: Option<Vec<Number>>,
+    /// 1 − T of the whole ray.
+    pub(super) opacity: Option<Number>,
+    /// The step d really used, where it is not the one asked for; above 0.
+    pub(super) step: Option<Number>,
+    /// The number of segments really used, where it is not the one asked for; above 0.
+    pub(super) segments: Option<Number>,
+    /// Of every channel's radiance, where the kernel estimates it.
+    pub(super) standard_error: Option<Vec<Number>>,
+    /// Why there is no radiance, in the kernel's own words.
+    pub(super) error: Option<String>,
+}

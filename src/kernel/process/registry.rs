@@ -1,0 +1,69 @@
+//! What would be left behind if this process ended now: every child that lives, every directory.
+
+use rustix::process::{Pid, Signal, kill_process_group};
+use std::io;
+use std::path::{Path, PathBuf};
+use std::process::{Child, Command};
+use std::sync::{Mutex, MutexGuard, PoisonError};
+
+struct Left {
+    groups: Vec<Pid>,
+    directories: Vec<PathBuf>,
+    stopped: bool,
+}
+
+static LEFT: Mutex<Left> = Mutex::new(Left {
+    groups: Vec::new(),
+    directories: Vec::new(),
+    stopped: false,
+});
+
+fn left() -> MutexGuard<'static, Left> {
+    // Lists are whole at every moment: who panicked beside them did them no harm.
+    LEFT.lock().unwrap_or_else(PoisonError::into_inner)
+}
+
+/// Kills every child of every [`ProcessKernel`](super::ProcessKernel) with its whole process group, removes their
+/// files, and lets none start any more: for handlers of Ctrl-C, before the process ends. A terminal's own signal
+/// does not reach them, as each has a group of its own.
+pub fn stop_all() {
+    let mut left = left();
+    left.stopped = true;
+    for group in &left.groups {
+        // One that is dead already needs no killing.
+        let _ = kill_process_group(*group, Signal::KILL);
+    }
+    for directory in left.directories.drain(..) {
+        let _ = std::fs::remove_dir_all(directory);
+    }
+}
+
+/// Starts a child that leads a process group; nothing comes between the start and its being listed.
+pub(super) fn spawn(command: &mut Command) -> io::Result<(Child, Pid)> {
+    let mut left = left();
+    if left.stopped {
+        return Err(io::Error::other("all kernels are being stopped"));
+    }
+    let mut child = command.spawn()?;
+    let id = i32::try_from(child.id()).ok().and_then(Pid::from_raw);
+    let Some(group) = id else {
+        let _ = child.kill();
+        let _ = child.wait();
+        return Err(io::Error::other("a process without an identity"));
+    };
+    left.groups.push(group);
+    Ok((child, group))
+}
+
+/// To be called before the leader of the group is reaped: its number may be another's afterwards.
+pub(super) fn forget(group: Pid) {
+    left().groups.retain(|listed| *listed != group);
+}
+
+pub(super) fn hold_directory(path: &Path) {
+    left().directories.push(path.into());
+}
+
+pub(super) fn forget_directory(path: &Path) {
+    left().directories.retain(|listed| listed != path);
+}

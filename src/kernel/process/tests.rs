@@ -1,0 +1,235 @@
+use super::bare::quoted;
+use super::number::Number;
+use super::trouble::Trouble;
+use super::written::{Array, Numbers, Written};
+use super::{greeting, schema};
+use crate::kernel::{Declaration, FormKind, Sampling};
+use crate::real::FormatName;
+use rug::Float;
+use serde_json::{Value, json};
+
+fn number(json: &str) -> Float {
+    serde_json::from_str::<Number>(json).unwrap().to_float(53)
+}
+
+#[test]
+fn numbers_are_read_to_the_last_bit() {
+    for value in [0.1, -1e-310, f64::MAX, 5e-324, 2.0_f64.powi(60), 0.3 * 3.0] {
+        assert_eq!(number(&format!("{value:?}")), value);
+        // Text is no subnormal: it has all its bits.
+        assert_eq!(number(&format!("\"{value:?}\"")).to_f64(), value);
+    }
+    for (text, value) in [
+        ("1", 1.0),
+        ("-3", -3.0),
+        ("\"0x1.8p-3\"", 0.1875),
+        ("\"-0X.8P+1\"", -1.0),
+        ("\"0x1p-1074\"", 5e-324),
+        ("\"0x10\"", 16.0),
+        ("\"+1e2\"", 100.0),
+        ("\".5\"", 0.5),
+        ("\"5.\"", 5.0),
+        ("\"-Infinity\"", f64::NEG_INFINITY),
+        ("\"inf\"", f64::INFINITY),
+    ] {
+        assert_eq!(number(text), value, "{text}");
+    }
+    assert!(number("\"nan\"").is_nan() && number("\"-NaN\"").is_nan());
+    // What binary64 cannot hold.
+    assert_eq!(number("\"1e-400\"").to_f64(), 0.0);
+    assert!(number("\"1e-400\"") > 0);
+    let sixty = format!("\"0.{}\"", "3".repeat(60));
+    let error = Float::with_val(400, 1) / 3_u32 - number(&sixty);
+    assert!(error.abs() < 1e-59);
+    let exact = number("\"0x1.00000000000000000000000000001p0\"") - 1_u32;
+    assert_eq!(exact, Float::with_val(53, Float::i_exp(1, -116)));
+    // A short decimal means what the format of the kernel makes of it.
+    let tenth: Number = serde_json::from_str("\"0.1\"").unwrap();
+    assert_eq!(tenth.to_float(53), 0.1);
+    assert_eq!(
+        tenth.to_float(200),
+        Float::with_val(200, Float::parse("0.1").unwrap())
+    );
+}
+
+#[test]
+fn what_is_no_number_is_refused() {
+    for text in [
+        "",
+        "-",
+        ".",
+        "e5",
+        "1e",
+        "1e+",
+        "0x",
+        "0x.",
+        "0x1p",
+        "0x1p1.5",
+        "0x1p999999999999",
+        "1_0",
+        " 1",
+        "1 ",
+        "--1",
+        "+-1",
+        "0x-1",
+        "1e5e5",
+        "1.2.3",
+        "@nan@",
+        "nanx",
+        "infin",
+        "1/2",
+        "0b1",
+        "٣",
+    ] {
+        let json = Value::from(text);
+        assert!(serde_json::from_value::<Number>(json).is_err(), "{text}");
+    }
+    for json in ["null", "true", "[1]", "{}"] {
+        assert!(serde_json::from_str::<Number>(json).is_err(), "{json}");
+    }
+}
+
+#[test]
+fn numbers_are_written_to_the_last_bit() {
+    let hexadecimal = |value| Written {
+        value,
+        numbers: Numbers::Hexadecimal,
+    };
+    for (value, text) in [
+        (0.1875, "0x1.8p-3"),
+        (1.0, "0x1p+0"),
+        (-0.0, "-0x0p+0"),
+        (0.1, "0x1.999999999999ap-4"),
+        (5e-324, "0x0.0000000000001p-1022"),
+        (f64::MAX, "0x1.fffffffffffffp+1023"),
+        (f64::NAN, "nan"),
+        (f64::NEG_INFINITY, "-inf"),
+    ] {
+        let written = serde_json::to_string(&hexadecimal(value)).unwrap();
+        assert_eq!(written, format!("\"{text}\""));
+        if value.is_finite() {
+            assert_eq!(number(&written), value);
+        }
+    }
+    let row = [0.1, 1e300, 2.0, f64::INFINITY];
+    let row = serde_json::to_string(&Array::Here(&row, Numbers::Decimal)).unwrap();
+    assert_eq!(row, "[0.1,1e+300,2.0,\"inf\"]");
+}
+
+#[test]
+fn bare_nan_becomes_text_outside_texts_alone() {
+    let quoted = |line: &str| Some(String::from_utf8(quoted(line.as_bytes())?).unwrap());
+    assert_eq!(
+        quoted(r#"{"NaN":[NaN,-Infinity,Infinity],"a\"NaN":1}"#).unwrap(),
+        r#"{"NaN":["nan","-inf","inf"],"a\"NaN":1}"#
+    );
+    for line in [r#"{"a":"NaN"}"#, "", "\"", "\"\\", "[1]"] {
+        assert_eq!(quoted(line), None);
+    }
+}
+
+#[test]
+fn greetings_say_all_that_a_declaration_holds() {
+    let line = br#"{"type":"hello","protocol":1,"name":"nerf","form":"formula","language":"c","method":
+        "front-to-back/front/subtraction","order":"2","format":"f32","quantum":0.5,"stochastic":true,
+        "sampling":"ends","far_wall":true,"numbers":"hexadecimal","arrays":"npy"}"#;
+    let greeting = greeting::read(line).unwrap();
+    let declaration = Declaration {
+        form: FormKind::Formula(crate::symbolic::code::Language::C),
+        method: Some("front-to-back/front/subtraction".parse().unwrap()),
+        order: Some(2.0),
+        format: FormatName::F32,
+        quantum: Some(0.5),
+        stochastic: true,
+        sampling: Some(Sampling::Ends),
+        far_wall: true,
+        ..Declaration::new("nerf")
+    };
+    assert_eq!(greeting.declaration, declaration);
+    assert_eq!(greeting.numbers, Numbers::Hexadecimal);
+    let least = br#"{"type":"hello","protocol":1,"name":"a","form":"segments"}"#;
+    let least = greeting::read(least).unwrap();
+    assert_eq!(least.declaration, Declaration::new("a"));
+    assert_eq!(
+        greeting.changes(&least).len(),
+        11,
+        "every key is told apart"
+    );
+    assert!(least.changes(&least).is_empty());
+}
+
+#[test]
+fn what_is_wrong_with_a_greeting_is_named_with_what_is_allowed() {
+    let refused = |key: &str, value: Value| {
+        let mut hello = json!({"type": "hello", "protocol": 1, "name": "a", "form": "segments"});
+        hello[key] = value;
+        match greeting::read(hello.to_string().as_bytes()) {
+            Err(Trouble::Greeting { problem }) => problem,
+            other => panic!("{other:?}"),
+        }
+    };
+    for (key, value, words) in [
+        ("protocol", json!(2), "protocol 2 (allowed: 1)"),
+        ("protocol", json!("1"), "protocol \"1\" (allowed: 1)"),
+        (
+            "type",
+            json!("radiance"),
+            "unknown variant 'radiance' (allowed: 'hello')",
+        ),
+        ("name", json!(""), "name '' (allowed: 1 to 100 characters"),
+        ("name", json!("a\u{1b}[2J"), "name 'a\\u{1b}[2J' (allowed: "),
+        (
+            "form",
+            json!("function"),
+            "unknown variant 'function' (allowed: 'segments', 'volume', 'formula')",
+        ),
+        (
+            "form",
+            json!("formula"),
+            "no language of the formula (allowed: python, c, rust)",
+        ),
+        ("language", json!("c"), "a language without need (allowed: "),
+        ("method", json!("nerf"), "method: "),
+        ("order", json!(0), "order 0 (allowed: finite, above 0)"),
+        ("order", json!("nan"), "order NaN (allowed: "),
+        ("quantum", json!("-inf"), "quantum -inf (allowed: "),
+        ("format", json!("float"), "format: "),
+        (
+            "sampling",
+            json!("left"),
+            "unknown variant 'left' (allowed: 'front', 'middle', ",
+        ),
+        (
+            "stochastic",
+            json!(1),
+            "invalid type: integer '1' (allowed: a boolean)",
+        ),
+        (
+            "metod",
+            json!("x"),
+            "unknown key 'metod' (allowed: 'type', 'protocol', 'name', ",
+        ),
+    ] {
+        let said = refused(key, value);
+        assert!(said.starts_with(words), "{said}");
+    }
+    for line in ["", "[]", "1", "{", "hello", "\u{0}"] {
+        assert!(
+            matches!(
+                greeting::read(line.as_bytes()),
+                Err(Trouble::Garbage { .. })
+            ),
+            "{line}"
+        );
+    }
+}
+
+#[test]
+fn the_schema_kept_is_that_of_the_messages() {
+    let kept = include_str!("../../../docs/protocol.schema.json");
+    let now = serde_json::to_string_pretty(&schema()).unwrap() + "\n";
+    assert_eq!(
+        kept, now,
+        "volver schema protocol > docs/protocol.schema.json"
+    );
+}

@@ -1,0 +1,55 @@
+//! What goes wrong between two processes.
+
+use std::io;
+
+/// How many characters of a bad answer are shown.
+const SHOWN: usize = 80;
+
+/// Why a conversation cannot go on.
+#[derive(Debug)]
+pub(super) enum Trouble {
+    /// Nothing came in time.
+    TimedOut,
+    /// It closed a pipe: `request` or `answer`.
+    Closed(&'static str),
+    /// The system refuses to read or write.
+    System(io::Error),
+    /// What came is no message.
+    Garbage { problem: String, excerpt: String },
+    /// It greets as no kernel does.
+    Greeting { problem: String },
+    /// It answers something else.
+    WrongId { got: String, wanted: u64 },
+}
+
+impl Trouble {
+    pub(super) fn garbage(problem: impl Into<String>, line: &[u8]) -> Self {
+        // Four bytes a character at most.
+        let start = line.get(..4 * SHOWN).unwrap_or(line);
+        Trouble::Garbage {
+            problem: problem.into(),
+            excerpt: String::from_utf8_lossy(start)
+                .trim_end()
+                .chars()
+                .take(SHOWN)
+                .collect(),
+        }
+    }
+}
+
+/// What the reader of JSON says, in the words of this program and without places: a message is one line.
+pub(super) fn said(error: &serde_json::Error) -> String {
+    let message = error.to_string();
+    let message = match message.rsplit_once(" at line ") {
+        Some((message, _)) => message,
+        None => &message,
+    };
+    let message = message.replace('`', "'").replace(" field '", " key '");
+    match message.split_once(", expected ") {
+        Some((what, allowed)) => {
+            let allowed = allowed.strip_prefix("one of ").unwrap_or(allowed);
+            format!("{what} (allowed: {allowed})")
+        }
+        None => message,
+    }
+}
