@@ -1,0 +1,64 @@
+"""What a kernel in Python needs to talk to volver: docs/protocol.md, version 1.
+
+    import volver_kernel
+    volver_kernel.serve({"name": "mine", "form": "segments"}, render)
+
+render(task) is given a task of the protocol as a dictionary, and returns the radiances, one a channel, or a
+dictionary with "radiance" and what else a result may hold. What it raises becomes the task's error. It may print.
+"""
+
+import json
+import math
+import os
+import sys
+import traceback
+
+
+def serve(declaration, render):
+    """Greets with the declaration, and renders task after task until volver closes the pipe."""
+    if os.environ.get("VOLVER_PROTOCOL") != "1":
+        sys.exit(f"started by volver alone: volver verify python3 {sys.argv[0]}")
+    requests = os.fdopen(int(os.environ["VOLVER_REQUESTS"]), "rb")
+    answers = os.fdopen(int(os.environ["VOLVER_ANSWERS"]), "wb")
+
+    def answer(message):
+        answers.write(json.dumps(message).encode() + b"\n")
+        answers.flush()
+
+    requests.readline()  # volver's greeting, which has nothing that a kernel needs
+    answer({"type": "hello", "protocol": 1, **declaration})
+    for line in requests:
+        request = json.loads(line)
+        if b'nan"' in line or b'inf"' in line:
+            request = _floats(request)
+        results = [_result(render, task) for task in request["tasks"]]
+        answer({"type": "radiance", "id": request["id"], "results": results})
+
+
+def _result(render, task):
+    try:
+        result = render(task)
+    except Exception as error:
+        traceback.print_exc()
+        return {"error": f"{type(error).__name__}: {error}"}
+    return _texts(result if isinstance(result, dict) else {"radiance": list(result)})
+
+
+def _texts(value):
+    """NaN and infinities as text: JSON has no numbers for them."""
+    if isinstance(value, dict):
+        return {key: _texts(item) for key, item in value.items()}
+    if isinstance(value, (list, tuple)):
+        return [_texts(item) for item in value]
+    if isinstance(value, float) and not math.isfinite(value):
+        return str(value)
+    return value
+
+
+def _floats(value):
+    """And as numbers again."""
+    if isinstance(value, dict):
+        return {key: _floats(item) for key, item in value.items()}
+    if isinstance(value, list):
+        return [_floats(item) for item in value]
+    return float(value) if value in ("nan", "inf", "-inf") else value

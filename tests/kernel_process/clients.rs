@@ -1,0 +1,110 @@
+//! Kernels that are meant to be copied: they compute what they say.
+
+use crate::fixture::{segments, subject, task};
+use std::fs;
+use std::path::Path;
+use volver::case::Fresh;
+use volver::kernel::process::{Options, ProcessKernel};
+use volver::kernel::{Kernel, Rendering, Subject};
+use volver::method::Method;
+use volver::real::Native;
+
+const CASES: [&str; 4] = [
+    "sine-squared",
+    "rgb-transfer",
+    "homogeneous",
+    "jump-off-node",
+];
+
+fn in_repository(path: &str) -> String {
+    let path = Path::new(env!("CARGO_MANIFEST_DIR")).join(path);
+    path.to_str().unwrap().into()
+}
+
+fn python(script: &str, options: &[&str]) -> ProcessKernel {
+    let mut arguments = vec![script.to_string()];
+    arguments.extend(options.iter().map(ToString::to_string));
+    ProcessKernel::start("python3", &arguments, Options::default()).unwrap()
+}
+
+fn render(kernel: &mut ProcessKernel, subject: &Subject, n: u64) -> Rendering {
+    kernel
+        .render(&task(subject, &segments(subject, n)))
+        .unwrap()
+}
+
+/// Its radiances are those of the method, in binary64.
+fn assert_is(kernel: &mut ProcessKernel, method: &str) {
+    let method: Method = method.parse().unwrap();
+    let cases = CASES.map(subject);
+    for subject in &cases {
+        for n in [1, 8, 37, 512] {
+            let rendering = render(kernel, subject, n);
+            for (radiance, case) in rendering.radiance.iter().zip(subject.cases()) {
+                let nodes = Fresh::new(case, Native::<f64>::new());
+                let own = method.radiance(&nodes, n).unwrap();
+                let difference = (radiance.to_f64() - own).abs();
+                assert!(
+                    difference <= 1e-13 * own.abs(),
+                    "{} {n}: {radiance} {own}",
+                    subject.name()
+                );
+            }
+        }
+    }
+}
+
+#[test]
+fn nerf_is_compositing_as_it_declares() {
+    let script = in_repository("examples/kernels/nerf.py");
+    for (options, method) in [
+        (&[][..], "front-to-back/front/subtraction"),
+        (
+            &["--sampling", "middle"],
+            "front-to-back/middle/subtraction",
+        ),
+    ] {
+        let mut kernel = python(&script, options);
+        let declaration = kernel.declaration();
+        assert_eq!(declaration.name, "nerf");
+        assert_eq!(declaration.method.unwrap().name(), method);
+        assert!(!declaration.far_wall);
+        assert_is(&mut kernel, method);
+    }
+}
+
+#[test]
+fn the_far_wall_of_nerf_adds_what_stands_behind() {
+    let script = in_repository("examples/kernels/nerf.py");
+    let mut free = python(&script, &[]);
+    let mut walled = python(&script, &["--far-wall"]);
+    assert!(walled.declaration().far_wall);
+    let subject = subject("homogeneous");
+    let [free, walled] = [&mut free, &mut walled].map(|kernel| render(kernel, &subject, 64));
+    assert!(walled.radiance[0].clone() - &free.radiance[0] > 1e-3);
+}
+
+#[test]
+fn the_client_of_the_document_works() {
+    let document = fs::read_to_string(in_repository("docs/protocol.md")).unwrap();
+    let (_, rest) = document.split_once("```python\n").unwrap();
+    let (code, _) = rest.split_once("```").unwrap();
+    let directory = tempfile::tempdir().unwrap();
+    let script = directory.path().join("client.py");
+    fs::write(&script, code).unwrap();
+    let mut kernel = python(script.to_str().unwrap(), &[]);
+    assert_is(&mut kernel, "front-to-back/front/subtraction");
+}
+
+#[test]
+fn nerf_started_by_hand_says_how() {
+    let mut command = assert_cmd::Command::new("python3");
+    command
+        .arg(in_repository("examples/kernels/nerf.py"))
+        .env_remove("VOLVER_PROTOCOL")
+        .assert()
+        .code(1)
+        .stderr(predicates::str::starts_with(
+            "started by volver alone: volver verify python3 ",
+        ));
+}
