@@ -57,6 +57,14 @@ pub(crate) enum Failure {
         /// What is refuted, and where.
         error: Box<ManufactureError>,
     },
+    /// A kernel cannot be put to the test.
+    #[error("{kernel}: {error}")]
+    Kernel {
+        /// As given.
+        kernel: String,
+        /// Why.
+        error: anyhow::Error,
+    },
     /// A report cannot be made or written.
     #[error("{0} (allowed: a place that can be written)")]
     Report(#[from] volver::report::ReportError),

@@ -2,9 +2,11 @@
 
 mod case;
 mod cases;
+mod check;
 mod completions;
 mod failure;
 mod fit;
+mod kernel;
 mod manufacture;
 mod progress;
 mod reference;
@@ -13,6 +15,7 @@ mod schema;
 mod stress;
 mod study;
 mod terminal;
+mod verify;
 
 pub(crate) use failure::Failure;
 pub(crate) use progress::Bar;
@@ -26,6 +29,7 @@ const EXAMPLES: &str = "\
 Exit codes: 0 good, 1 a check failed, 2 wrong usage or input.
 
 Examples:
+  volver verify method:front-to-back/middle/expm1@f32 --cases paper
   volver reproduce --table 1 --levels 8..512
   printf '0.4 8e-2\\n0.2 2e-2\\n0.1 5e-3\\n0.05 1.25e-3\\n' | volver fit -
   volver cases sine-squared
@@ -46,6 +50,8 @@ struct Arguments {
 /// What to do; each has a file of its own.
 #[derive(Subcommand)]
 pub(crate) enum Command {
+    Verify(verify::Verify),
+    Check(check::Check),
     Reproduce(reproduce::Reproduce),
     Stress(stress::Stress),
     Fit(fit::Fit),
@@ -61,6 +67,8 @@ impl Command {
     /// Does it.
     pub(crate) fn run(self) -> Result<Outcome, Failure> {
         match self {
+            Command::Verify(arguments) => arguments.run(),
+            Command::Check(arguments) => arguments.run(),
             Command::Reproduce(arguments) => arguments.run(),
             Command::Stress(arguments) => arguments.run(),
             Command::Fit(arguments) => arguments.run(),

@@ -22,6 +22,11 @@ impl Bar {
         self.0.reset_eta();
     }
 
+    /// Lets `print` write where the bar stands.
+    pub(crate) fn above(&self, print: impl FnOnce()) {
+        self.0.suspend(print);
+    }
+
     pub(crate) fn finish(&self) {
         self.0.finish_and_clear();
     }

@@ -4,6 +4,7 @@ use super::linear::LinearSegments;
 use super::ray::Sample;
 use super::{EmissionModel, Ends, OpacityModel, Places, Ray, Recipe};
 use crate::case::Transfer;
+use crate::method::OpacityFormula;
 use crate::real::{Format, Real};
 use rug::Rational;
 
@@ -30,10 +31,20 @@ pub(super) fn radiance_kept<R: Real>(
     format: R::Format,
     keep: impl Fn(R) -> R,
 ) -> R {
+    composited(recipe, ray, format, OpacityFormula::Expm1, keep)
+}
+
+fn composited<R: Real>(
+    recipe: &Recipe,
+    ray: &Ray<R>,
+    format: R::Format,
+    formula: OpacityFormula,
+    keep: impl Fn(R) -> R,
+) -> R {
     let stop = recipe.stop.map(|stop| parameter(format, stop));
     let mut radiance = format.int(0);
     let mut transmittance = format.int(1);
-    for step in steps(recipe, ray, format) {
+    for step in steps_by(recipe, ray, format, formula) {
         radiance = keep(radiance + &(step.adds * &transmittance));
         transmittance = keep(transmittance * &step.passes);
         if stop.as_ref().is_some_and(|stop| transmittance < *stop) {
@@ -48,12 +59,31 @@ pub fn radiance<R: Real>(recipe: &Recipe, ray: &Ray<R>, format: R::Format) -> R 
     radiance_kept(recipe, ray, format, |kept| kept)
 }
 
+/// The same with exact opacities by another formula, which rounds otherwise.
+pub fn radiance_by<R: Real>(
+    recipe: &Recipe,
+    ray: &Ray<R>,
+    format: R::Format,
+    formula: OpacityFormula,
+) -> R {
+    composited(recipe, ray, format, formula, |kept| kept)
+}
+
 /// What every segment does, from the eye on.
 pub(super) fn steps<R: Real>(recipe: &Recipe, ray: &Ray<R>, format: R::Format) -> Vec<Step<R>> {
+    steps_by(recipe, ray, format, OpacityFormula::Expm1)
+}
+
+fn steps_by<R: Real>(
+    recipe: &Recipe,
+    ray: &Ray<R>,
+    format: R::Format,
+    formula: OpacityFormula,
+) -> Vec<Step<R>> {
     let mut steps = match recipe.places {
         Places::Ends => trapezoids(ray, format),
         Places::Linear => linear(ray, format),
-        Places::Front | Places::Middle | Places::Back => sampled(recipe, ray, format),
+        Places::Front | Places::Middle | Places::Back => sampled(recipe, ray, format, formula),
     };
     if recipe.swapped {
         steps.reverse();
@@ -61,7 +91,12 @@ pub(super) fn steps<R: Real>(recipe: &Recipe, ray: &Ray<R>, format: R::Format) -
     steps
 }
 
-fn sampled<R: Real>(recipe: &Recipe, ray: &Ray<R>, format: R::Format) -> Vec<Step<R>> {
+fn sampled<R: Real>(
+    recipe: &Recipe,
+    ray: &Ray<R>,
+    format: R::Format,
+    formula: OpacityFormula,
+) -> Vec<Step<R>> {
     let mut samples = ray.samples(recipe.places);
     match recipe.ends {
         Ends::Kept => {}
@@ -82,7 +117,7 @@ fn sampled<R: Real>(recipe: &Recipe, ray: &Ray<R>, format: R::Format) -> Vec<Ste
             extra => samples.extend(extra),
         },
     }
-    let opacity = Opacity::new(recipe.opacity, format);
+    let opacity = Opacity::new(recipe.opacity, format, formula);
     let last = samples.len().saturating_sub(1);
     let step = |(j, sample): (usize, &Sample<R>)| {
         let (alpha, passes) = if recipe.wall && j == last {
@@ -108,10 +143,12 @@ struct Opacity<R> {
     parameter: R,
     threshold: R,
     one: R,
+    /// How an exact opacity is computed.
+    formula: OpacityFormula,
 }
 
 impl<R: Real> Opacity<R> {
-    fn new(model: OpacityModel, format: R::Format) -> Self {
+    fn new(model: OpacityModel, format: R::Format, formula: OpacityFormula) -> Self {
         let (of_length, threshold) = match model {
             OpacityModel::Exact | OpacityModel::Linear | OpacityModel::Unattenuated => (0.0, 0.0),
             OpacityModel::Uncorrected { length } => (length, 0.0),
@@ -123,6 +160,7 @@ impl<R: Real> Opacity<R> {
             parameter: parameter(format, of_length),
             threshold: parameter(format, threshold),
             one: format.int(1),
+            formula,
         }
     }
 
@@ -130,7 +168,7 @@ impl<R: Real> Opacity<R> {
     fn of(&self, sample: &Sample<R>) -> (R, R) {
         let extinction = sample.transfer.extinction.clone();
         let depth = |extinction: R| extinction * &sample.length;
-        let exact = |depth: R| (-(-depth.clone()).exp_m1(), (-depth).exp());
+        let exact = |depth: R| (self.formula.of(&depth), (-depth).exp());
         match self.model {
             OpacityModel::Exact => exact(depth(extinction)),
             OpacityModel::Linear => {

@@ -25,7 +25,7 @@ pub use fingerprint::{Fingerprint, Match, Model, fingerprint};
 pub use jitter::{Jittered, jittered};
 pub use likeness::{Likeness, likeness};
 pub use linear::LinearSegments;
-pub use march::radiance;
+pub use march::{radiance, radiance_by};
 pub use places::Places;
 pub use ray::Ray;
 pub use recipe::{

@@ -17,6 +17,9 @@ use rug::{Float, Rational};
 
 /// Bits of references beyond those of the kernel's format.
 const REFERENCE_BITS: u32 = 75;
+/// An opacity 1 − e^(−x) scatters by u/√12 whatever its size: what of that a floor is, which errors must exceed
+/// thirty times.
+const ABSOLUTE_PART: f64 = 0.1;
 /// Sizes that tables are known to be cut down to.
 const COARSER_TABLES: [usize; 6] = [16, 32, 64, 128, 256, 512];
 /// A kernel that says it is deterministic is asked twice, with another seed.
@@ -294,7 +297,15 @@ impl<'a> Asked<'a> {
             }
             let step = first.step.unwrap_or_else(|| level.step.to_f64());
             let (n, step) = self.coordinate(level, uniform, step);
-            let floor = self.floor(&radiances.exact, level, declared.as_ref(), &values, channel);
+            let largest = watched.levels.last();
+            let largest = largest.map_or(0.0, |level| level.ray.largest_emission());
+            let floor = self.floor(
+                &radiances.exact,
+                level,
+                declared.as_ref(),
+                &values,
+                (channel, largest),
+            );
             radiances.push(n, step, values, floor, declared.map(|d| d.exact));
         }
         let steady = Self::is_steady(channel, answers);
@@ -321,7 +332,7 @@ impl<'a> Asked<'a> {
         level: &Level,
         declared: Option<&Nominal>,
         values: &[Float],
-        channel: usize,
+        (channel, largest_emission): (usize, f64),
     ) -> Float {
         let bits = exact.prec();
         let relative = Float::with_val(bits, exact.abs_ref()) * nominal::unit(self.declaration);
@@ -329,15 +340,16 @@ impl<'a> Asked<'a> {
         if let Some(quantum) = self.declaration.quantum {
             floor = floor.max(&Float::with_val(bits, quantum / 2.0));
         }
-        match declared {
-            Some(Nominal { exact, in_format }) => {
-                let rounding = Float::with_val(bits, in_format - exact).abs();
-                if rounding > floor {
-                    floor = rounding;
-                }
+        if let Some(Nominal { exact, in_format }) = declared {
+            let rounding = Float::with_val(bits, in_format - exact).abs();
+            if rounding > floor {
+                floor = rounding;
             }
-            // Roundings of as many segments, by chance up and down.
-            None => floor *= (level.count as f64).sqrt(),
+        } else {
+            // Roundings of as many segments, by chance up and down; those of opacities are absolute.
+            let unit = nominal::unit(self.declaration);
+            floor += ABSOLUTE_PART * unit * largest_emission;
+            floor *= (level.count as f64).sqrt();
         }
         if let (Axis::Grid, Some(volume), Some(value)) =
             (self.settings.axis, &level.volume, values.first())

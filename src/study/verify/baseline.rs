@@ -15,6 +15,8 @@ pub struct Baseline {
     pub volver_baseline: u32,
     /// The kernel's name.
     pub kernel: String,
+    /// Which cases, as they were asked for; none for all of the catalogue.
+    pub cases: Vec<String>,
     /// The levels.
     pub ladder: Vec<u64>,
     /// Whether the grid was refined, and not the step.
@@ -85,9 +87,9 @@ impl fmt::Display for Moved {
 }
 
 impl Baseline {
-    /// What there is to keep of a verification.
+    /// What there is to keep of a verification of these cases, as they were asked for.
     #[must_use]
-    pub fn new(verification: &Verification) -> Self {
+    pub fn new(verification: &Verification, cases: &[String]) -> Self {
         let settings = &verification.settings;
         let best = verification
             .fingerprint
@@ -97,6 +99,7 @@ impl Baseline {
         Baseline {
             volver_baseline: VERSION,
             kernel: verification.declaration.name.clone(),
+            cases: cases.to_vec(),
             ladder: settings.ladder.clone(),
             grid: settings.axis == Axis::Grid,
             uneven: settings.uneven,
@@ -145,7 +148,7 @@ impl Baseline {
     /// common; an order that is a little different, or a verdict that says the same of the kernel, is noise.
     #[must_use]
     pub fn moved(&self, now: &Verification) -> Vec<Moved> {
-        let now_all = Baseline::new(now);
+        let now_all = Baseline::new(now, &self.cases);
         let mut moved = Vec::new();
         if self.fingerprint != now_all.fingerprint {
             let shown = |found: &Option<String>| match found {

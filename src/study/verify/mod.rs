@@ -10,7 +10,7 @@ mod settings;
 mod standing;
 mod truth;
 
-pub use baseline::{Baseline, BaselineError, Moved};
+pub use baseline::{Baseline, BaselineError, BaselineLine, Moved};
 pub use explain::Finding;
 pub use line::{Failure, Line, Measured};
 pub use settings::{Axis, GRID_SEGMENTS, REPLICAS, Settings, SettingsError, TABLE_ENTRIES};

@@ -1,8 +1,9 @@
 //! What the declared method itself gives at every level: exactly, and in the declared format.
 
 use crate::case::SymbolicCase;
-use crate::diagnosis::{Model, Ray, Recipe, radiance};
+use crate::diagnosis::{Model, Ray, Recipe, radiance_by};
 use crate::kernel::{Declaration, Segments, radiance_in};
+use crate::method::{Method, OpacityFormula};
 use crate::real::{Format, FormatName, Real, WithFormat};
 use rug::Float;
 
@@ -50,9 +51,15 @@ pub(super) fn at_level(
                 wall: declaration.far_wall,
                 ..recipe
             };
+            // Linear opacities are those of the recipe; the others differ by their rounding.
+            let formula = match declaration.method? {
+                Method::Composited(compositing) => compositing.opacity,
+                Method::Nested(_) | Method::Preintegrated(_) => OpacityFormula::Expm1,
+            };
             let of = |format: FormatName| {
                 format.with(OfRecipe {
                     recipe,
+                    formula,
                     segments,
                     channel,
                 })
@@ -74,6 +81,7 @@ pub(super) fn at_level(
 
 struct OfRecipe<'a> {
     recipe: Recipe,
+    formula: OpacityFormula,
     segments: &'a Segments,
     channel: usize,
 }
@@ -83,6 +91,6 @@ impl WithFormat for OfRecipe<'_> {
 
     fn run<F: Format>(self, format: F) -> Float {
         let ray: Ray<F::Real> = Ray::new(self.segments, self.channel, format);
-        radiance(&self.recipe, &ray, format).to_float()
+        radiance_by(&self.recipe, &ray, format, self.formula).to_float()
     }
 }

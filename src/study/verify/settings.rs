@@ -1,7 +1,7 @@
 //! How a kernel is tested.
 
 use crate::convergence::{Ladder, LadderError, MIN_REPLICAS};
-use crate::kernel::{Cut, MAX_TASK_SEGMENTS};
+use crate::kernel::{Cut, Declaration, MAX_TASK_SEGMENTS, Subject};
 use rug::Rational;
 
 /// Entries of the tables of transfer functions: so many that the kinks between them do not show.
@@ -88,6 +88,23 @@ impl Settings {
             entries: TABLE_ENTRIES,
             replicas: REPLICAS,
         })
+    }
+
+    /// Segments that a kernel renders in all: the units that progress is counted in.
+    #[must_use]
+    pub fn work(&self, subjects: &[Subject], declaration: &Declaration) -> u64 {
+        let seeds = if declaration.stochastic {
+            self.replicas as u64
+        } else {
+            1
+        };
+        let cuts = subjects.iter().flat_map(|subject| {
+            self.cuts(subject.length())
+                .into_iter()
+                .map(move |cut| (cut, subject))
+        });
+        let segments = cuts.filter_map(|(cut, subject)| cut.on(subject.length()).ok());
+        segments.map(|(_, count)| count * seeds).sum()
     }
 
     /// How a ray of that length is cut at every level.

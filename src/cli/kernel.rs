@@ -1,0 +1,170 @@
+//! Kernels by what stands on a command line, and the cases they are tested on.
+
+use super::{Failure, case};
+use clap::Args;
+use std::collections::BTreeSet;
+use std::path::Path;
+use std::time::Duration;
+use volver::case::catalogue;
+use volver::kernel::library::LibraryKernel;
+use volver::kernel::process::{self, Options, ProcessKernel};
+use volver::kernel::{BuiltIn, Kernel, Subject};
+use volver::method::Method;
+use volver::real::FormatName;
+
+/// What a kernel may be, for help texts.
+pub(super) const KERNELS: &str = "\
+KERNEL is a program with its arguments, which is sent rays as JSON lines
+(docs/protocol.md says how); a shared library, a path that ends in .so, .dylib or
+.dll (include/volver.h); or a method of volver's own, method:NAME[@FORMAT].
+What stands behind KERNEL is the program's.";
+
+/// Extensions of shared libraries.
+const LIBRARIES: [&str; 3] = ["so", "dylib", "dll"];
+
+/// Which kernel, and how long it is waited for.
+#[derive(Args)]
+pub(super) struct KernelArguments {
+    /// Program, shared library, or method:NAME[@FORMAT]
+    #[arg(value_name = "KERNEL")]
+    kernel: String,
+    /// The program's arguments
+    #[arg(
+        value_name = "ARGS",
+        trailing_var_arg = true,
+        allow_hyphen_values = true
+    )]
+    arguments: Vec<String>,
+    /// Seconds that a program may take to an answer
+    #[arg(long, value_name = "SECONDS", default_value_t = 60.0, value_parser = seconds)]
+    timeout: f64,
+    /// Seconds that a program may take to start
+    #[arg(long, value_name = "SECONDS", default_value_t = 60.0, value_parser = seconds)]
+    start_timeout: f64,
+}
+
+/// More than nothing, and no more than a week.
+fn seconds(text: &str) -> Result<f64, String> {
+    let seconds: Option<f64> = text.parse().ok();
+    seconds
+        .filter(|seconds| (0.001..=604_800.0).contains(seconds))
+        .ok_or_else(|| "allowed: 0.001 to 604800".into())
+}
+
+impl KernelArguments {
+    /// Starts it. Whatever ends this process from the keyboard ends the kernel's too.
+    pub(super) fn start(&self) -> Result<Box<dyn Kernel>, Failure> {
+        if let Some(method) = self.kernel.strip_prefix("method:") {
+            self.no_arguments("a method")?;
+            return built_in(method);
+        }
+        let path = Path::new(&self.kernel);
+        let extension = path.extension().and_then(|extension| extension.to_str());
+        if extension.is_some_and(|extension| LIBRARIES.contains(&extension)) {
+            self.no_arguments("a library")?;
+            let library = LibraryKernel::open(path).map_err(|error| self.failed(error))?;
+            return Ok(Box::new(library));
+        }
+        let options = Options {
+            start_timeout: Duration::from_secs_f64(self.start_timeout),
+            timeout: Duration::from_secs_f64(self.timeout),
+            ..Options::default()
+        };
+        // 128 and the number of the signal, as shells have it.
+        let handler = || {
+            process::stop_all();
+            std::process::exit(130);
+        };
+        ctrlc::set_handler(handler).map_err(|error| self.failed(error))?;
+        let started = ProcessKernel::start(&self.kernel, &self.arguments, options);
+        Ok(Box::new(started.map_err(|error| self.failed(error))?))
+    }
+
+    fn no_arguments(&self, what: &str) -> Result<(), Failure> {
+        match self.arguments.first() {
+            None => Ok(()),
+            Some(first) => Err(Failure::Usage(format!(
+                "'{}' behind {what}, which takes no arguments (allowed: options in front of KERNEL)",
+                first.escape_debug()
+            ))),
+        }
+    }
+
+    pub(super) fn failed(&self, error: impl Into<anyhow::Error>) -> Failure {
+        Failure::Kernel {
+            kernel: self.kernel.clone(),
+            error: error.into(),
+        }
+    }
+}
+
+fn built_in(name: &str) -> Result<Box<dyn Kernel>, Failure> {
+    let usage = |error: &dyn std::fmt::Display| Failure::Usage(format!("method:{name}: {error}"));
+    let (method, format) = name.split_once('@').unwrap_or((name, "f64"));
+    // A seed of Monte Carlo stands behind an @ too.
+    let (method, format) = match name.rsplit_once('@') {
+        Some((front, back)) if front.contains('@') => (front, back),
+        _ => (method, format),
+    };
+    let method: Method = method.parse().map_err(|error| usage(&error))?;
+    let format: FormatName = format.parse().map_err(|error| usage(&error))?;
+    Ok(Box::new(BuiltIn::new(method, format)))
+}
+
+/// The cases asked for, by names, tags or paths; all of the catalogue where none is.
+pub(super) fn subjects(asked: &[String]) -> Result<Vec<Subject>, Failure> {
+    let mut arguments: Vec<String> = Vec::new();
+    let mut add = |argument: &str| {
+        if !arguments.iter().any(|known| known == argument) {
+            arguments.push(argument.into());
+        }
+    };
+    for one in asked {
+        let tagged = tagged(one.strip_prefix('@').unwrap_or(one));
+        let is_name = catalogue::text(one).is_some();
+        if one.starts_with('@') && tagged.is_empty() {
+            return Err(no_tag(one));
+        }
+        if is_name || tagged.is_empty() {
+            add(one);
+        } else {
+            for name in tagged {
+                add(name);
+            }
+        }
+    }
+    if asked.is_empty() {
+        catalogue::names().for_each(&mut add);
+    }
+    let subject = |argument: &String| {
+        let loaded = case::load(argument)?;
+        let channels = loaded.cases.into_iter().map(|one| (one.channel, one.case));
+        Subject::new(&loaded.description.name, channels.collect())
+            .map_err(|error| Failure::Usage(format!("--cases: {argument}: {error}")))
+    };
+    arguments.iter().map(subject).collect()
+}
+
+/// The cases of the catalogue with that tag.
+fn tagged(tag: &str) -> Vec<&'static str> {
+    let has = |name: &&str| match catalogue::find(name) {
+        Some(Ok(description)) => description.tags.iter().any(|own| own == tag),
+        _ => false,
+    };
+    catalogue::names().filter(has).collect()
+}
+
+fn no_tag(asked: &str) -> Failure {
+    let mut tags = BTreeSet::new();
+    for name in catalogue::names() {
+        if let Some(Ok(description)) = catalogue::find(name) {
+            tags.extend(description.tags);
+        }
+    }
+    let tags: Vec<String> = tags.into_iter().collect();
+    Failure::Usage(format!(
+        "--cases: no case has the tag '{}' (allowed: {})",
+        asked.trim_start_matches('@').escape_debug(),
+        tags.join(", ")
+    ))
+}
