@@ -6,9 +6,11 @@
 //! closed form, the exact radiance, made by hand or from [`symbolic`] expressions; [`quadrature`] gives
 //! rules, and a [`method`] approximates the integral on n segments; a [`reference`](mod@reference) is the
 //! radiance to any number of digits; [`convergence`] fits the order of accuracy to its errors on a ladder
-//! of n, with an interval and a verdict; a [`study`] does so for many, and [`report`] shows what came out.
-//! A module uses only those that stand before it: `real`, `symbolic`, `case`, `quadrature`, `method`,
-//! `reference`, `convergence`, `study`, `report`.
+//! of n, with an interval and a verdict. A [`kernel`] is somebody else's implementation, put to the same test, and
+//! [`diagnosis`] finds out from its values what it computes; [`assert_order!`] is that test in three lines.
+//! A [`study`] runs many, and [`report`] shows what came out.
+//! A module uses only those that stand before it: `real`, `symbolic`, `case`, `quadrature`, `method`, `kernel`,
+//! `reference`, `convergence`, `diagnosis`, `study`, `report`, `assert`.
 //!
 //! ```
 //! use volver::case::SineSquared;
@@ -45,6 +47,7 @@
     )
 )]
 
+pub mod assert;
 pub mod case;
 pub mod convergence;
 pub mod diagnosis;

@@ -112,7 +112,7 @@ int main(void) {
     if (json_is(json_member(message, "type"), "hello")) {
       fprintf(out,
               "{\"type\":\"hello\",\"protocol\":1,\"name\":\"front-to-back\",\"form\":\"segments\","
-              "\"method\":\"" METHOD "\",\"format\":\"%s\",\"language\":\"C\"}\n",
+              "\"method\":\"" METHOD "\",\"format\":\"%s\"}\n",
               FORMAT);
     } else {
       fprintf(out, "{\"type\":\"radiance\",\"id\":%.0f,\"results\":[", json_number(json_member(message, "id")));

@@ -73,7 +73,6 @@ def main():
     declaration = {
         "name": "VTK fixed-point ray caster",
         "form": "volume",
-        "language": "C++",
         "order": 2 if middle else 1,
         "format": "fixed:15",
         # Of emission up to 1; in proportion to its maximum.

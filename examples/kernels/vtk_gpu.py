@@ -93,7 +93,6 @@ def main():
     declaration = {
         "name": "VTK OpenGL ray caster",
         "form": "volume",
-        "language": "GLSL",
         "order": 1,
         "format": "f32",
         "sampling": "back",

@@ -78,7 +78,7 @@ def main():
     options = parser.parse_args()
     linear = options.integrator == "linear"
     middle = options.samples == "middle" and not linear
-    declaration = {"form": "segments", "format": "f32", "language": "C++"}
+    declaration = {"form": "segments", "format": "f32"}
     if linear:
         declaration |= {"name": "VTK linear ray integrator", "order": 2, "sampling": "ends"}
     else:

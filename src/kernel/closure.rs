@@ -1,6 +1,6 @@
 //! Rust code linked in.
 
-use super::{Declaration, Kernel, KernelError, Rendering, Task};
+use super::{Declaration, Kernel, KernelError, Rendering, Segments, Task};
 use rug::Float;
 use std::fmt;
 
@@ -17,6 +17,22 @@ impl<F: FnMut(&Task<'_>, usize) -> f64 + Send> Closure<F> {
             declaration,
             radiance,
         }
+    }
+}
+
+impl Closure<fn(&Task<'_>, usize) -> f64> {
+    /// The kernel that makes a radiance of the segments of a ray and the index of a channel; nothing else is
+    /// declared of it.
+    pub fn segments<G: FnMut(&Segments, usize) -> f64 + Send>(
+        name: &str,
+        mut radiance: G,
+    ) -> Closure<impl FnMut(&Task<'_>, usize) -> f64 + Send> {
+        // Tasks in another form are refused before they come here.
+        let of_task = move |task: &Task<'_>, channel: usize| {
+            task.cut()
+                .map_or(f64::NAN, |segments| radiance(segments, channel))
+        };
+        Closure::new(Declaration::new(name), of_task)
     }
 }
 
