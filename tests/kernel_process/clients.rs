@@ -5,7 +5,7 @@ use std::fs;
 use std::path::Path;
 use volver::case::Fresh;
 use volver::kernel::process::{Options, ProcessKernel};
-use volver::kernel::{Kernel, Rendering, Subject};
+use volver::kernel::{Kernel, KernelError, Rendering, Subject};
 use volver::method::Method;
 use volver::real::Native;
 
@@ -107,4 +107,36 @@ fn nerf_started_by_hand_says_how() {
         .stderr(predicates::str::starts_with(
             "started by volver alone: volver verify python3 ",
         ));
+}
+
+#[test]
+fn what_a_python_kernel_raises_is_that_tasks_error_and_what_is_not_finite_comes_through() {
+    let directory = tempfile::tempdir().unwrap();
+    let script = directory.path().join("kernel.py");
+    let code = "
+import sys
+sys.path.insert(0, sys.argv[1])
+import volver_kernel
+def render(task):
+    print('rendering')
+    if task['segments'] == 7:
+        raise ValueError('seven')
+    return {'radiance': [float('nan')], 'opacity': float('-inf'), 'segments': task['segments']}
+volver_kernel.serve({'name': 'mine', 'form': 'segments', 'arrays': 'json'}, render)
+";
+    fs::write(&script, code).unwrap();
+    let examples = in_repository("examples/kernels");
+    let mut kernel = python(script.to_str().unwrap(), &[&examples]);
+    let subject = subject("homogeneous");
+    let cuts = [6, 7, 8].map(|n| segments(&subject, n));
+    let tasks = cuts.each_ref().map(|cut| task(&subject, cut));
+    let results = kernel.render_all(&tasks);
+    let reason = "ValueError: seven".into();
+    assert_eq!(results[1], Err(KernelError::Refused { reason }));
+    for (result, n) in [(&results[0], 6), (&results[2], 8)] {
+        let rendering = result.as_ref().unwrap();
+        assert!(rendering.radiance[0].is_nan());
+        assert_eq!(*rendering.opacity.as_ref().unwrap(), f64::NEG_INFINITY);
+        assert_eq!(rendering.segments, Some(n));
+    }
 }

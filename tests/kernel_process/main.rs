@@ -337,13 +337,16 @@ fn where_one_level_kills_the_kernel_the_others_have_their_radiance() {
     let subject = subject("sine-squared");
     let cuts: Vec<_> = (4..10).map(|n| segments(&subject, n)).collect();
     let tasks: Vec<Task<'_>> = cuts.iter().map(|cut| task(&subject, cut)).collect();
-    for (n, result) in (4..).zip(kernel.render_all(&tasks)) {
-        if n == 7 {
-            let stderr = String::new();
-            let how = "was killed by signal 11".into();
-            assert_eq!(result, Err(KernelError::Exited { how, stderr }));
-        } else {
-            assert_eq!(radiance(result), f64::from(n));
+    // Failures with answers between them are not counted together.
+    for _ in 0..3 {
+        for (n, result) in (4..).zip(kernel.render_all(&tasks)) {
+            if n == 7 {
+                let stderr = String::new();
+                let how = "was killed by signal 11".into();
+                assert_eq!(result, Err(KernelError::Exited { how, stderr }));
+            } else {
+                assert_eq!(radiance(result), f64::from(n));
+            }
         }
     }
     drop(kernel);
