@@ -1,10 +1,11 @@
 //! Kernels that are meant to be copied: they compute what they say.
 
 use crate::fixture::{segments, subject, task};
+use serde_json::Value;
 use std::fs;
 use std::path::Path;
 use volver::case::Fresh;
-use volver::kernel::process::{Options, ProcessKernel};
+use volver::kernel::process::{Options, ProcessKernel, schema};
 use volver::kernel::{Kernel, KernelError, Rendering, Subject};
 use volver::method::Method;
 use volver::real::Native;
@@ -94,6 +95,26 @@ fn the_client_of_the_document_works() {
     fs::write(&script, code).unwrap();
     let mut kernel = python(script.to_str().unwrap(), &[]);
     assert_is(&mut kernel, "front-to-back/front/subtraction");
+}
+
+#[test]
+fn the_document_names_every_key_of_the_schema() {
+    fn keys(schema: &Value, found: &mut Vec<String>) {
+        if let Some(properties) = schema["properties"].as_object() {
+            found.extend(properties.keys().cloned());
+        }
+        let parts = schema.as_object().into_iter().flat_map(|all| all.values());
+        let items = schema.as_array().into_iter().flatten();
+        parts.chain(items).for_each(|part| keys(part, found));
+    }
+    let document = fs::read_to_string(in_repository("docs/protocol.md")).unwrap();
+    let mut found = Vec::new();
+    keys(&schema(), &mut found);
+    assert!(found.len() > 40, "{found:?}");
+    for key in found {
+        let named = [format!("`{key}`"), format!("{{\"{key}\":")];
+        assert!(named.iter().any(|name| document.contains(name)), "{key}");
+    }
 }
 
 #[test]

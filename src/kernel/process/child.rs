@@ -98,7 +98,7 @@ impl Child {
     pub(super) fn exchange(
         &mut self,
         message: &[u8],
-        deadline: Instant,
+        deadline: Option<Instant>,
     ) -> Result<Vec<u8>, Trouble> {
         self.pipes.exchange(message, deadline)
     }

@@ -152,6 +152,7 @@ pub(super) struct Render<'a> {
 
 /// One ray.
 #[derive(Debug, Serialize, JsonSchema)]
+#[schemars(rename = "Task")]
 pub(super) struct WireTask<'a> {
     /// The name of the case.
     pub(super) case: &'a str,
@@ -172,6 +173,7 @@ pub(super) struct WireTask<'a> {
 /// A ray in one of the forms.
 #[derive(Debug, Serialize, JsonSchema)]
 #[serde(tag = "form", rename_all = "lowercase")]
+#[schemars(rename = "Data")]
 pub(super) enum WireData<'a> {
     /// Values at the ends and in the middles of n segments.
     Segments {
@@ -198,6 +200,7 @@ pub(super) enum WireData<'a> {
 
 /// Values at a row of places.
 #[derive(Debug, Serialize, JsonSchema)]
+#[schemars(rename = "Samples")]
 pub(super) struct WireSamples<'a> {
     /// The distance λ from the eye.
     pub(super) lambda: Array<'a>,
@@ -209,6 +212,7 @@ pub(super) struct WireSamples<'a> {
 
 /// Transfer functions at evenly spaced field values, linear between.
 #[derive(Debug, Serialize, JsonSchema)]
+#[schemars(rename = "Table")]
 pub(super) struct WireTable<'a> {
     /// The field value of the first entry.
     pub(super) first: Written,

@@ -154,7 +154,7 @@ impl ProcessKernel {
         let timeout = self.options.timeout;
         let bits = self.greeting.declaration.format.with(Bits);
         let answer = child
-            .exchange(&line, Instant::now() + timeout)
+            .exchange(&line, Instant::now().checked_add(timeout))
             .and_then(|answer| answer::read(&answer, self.last_id, tasks, bits));
         match answer {
             Ok(results) => {
@@ -188,7 +188,7 @@ fn start(
         reason: error.to_string(),
     };
     let timeout = options.start_timeout;
-    let deadline = Instant::now() + timeout;
+    let deadline = Instant::now().checked_add(timeout);
     let mut hello = serde_json::to_vec(&greeting::hello()).map_err(|e| failed(e.into()))?;
     hello.push(b'\n');
     let mut child = Child::start(program, arguments).map_err(failed)?;

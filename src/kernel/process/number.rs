@@ -10,7 +10,7 @@ use std::fmt;
 
 /// So many decimal digits are told apart by binary64.
 const DIGITS_OF_BINARY64: usize = 17;
-/// The most bits that a decimal is read with.
+/// The most bits that a text is read with.
 const MAX_BITS: u32 = 1 << 20;
 /// The largest exponent of two: well inside what a number can hold.
 const MAX_EXPONENT: u32 = 1 << 28;
@@ -98,7 +98,7 @@ fn decimal(text: &str, unsigned: &str) -> Option<Number> {
     })
 }
 
-/// DIGITS[.DIGITS][pEXPONENT] in base 16, the exponent of 2 in decimal: exactly.
+/// DIGITS[.DIGITS][pEXPONENT] in base 16, the exponent of 2 in decimal; exactly, up to so many digits as nobody writes.
 fn hexadecimal(text: &str) -> Option<Float> {
     let (mantissa, exponent) = text.split_once('p').unwrap_or((text, "0"));
     let (whole, part) = mantissa.split_once('.').unwrap_or((mantissa, ""));
@@ -112,7 +112,9 @@ fn hexadecimal(text: &str) -> Option<Float> {
         return None;
     }
     let mantissa = Integer::from_str_radix(&digits, 16).ok()?;
-    let bits = mantissa.significant_bits().max(f64::MANTISSA_DIGITS);
+    let bits = mantissa
+        .significant_bits()
+        .clamp(f64::MANTISSA_DIGITS, MAX_BITS);
     let scale = Float::with_val(f64::MANTISSA_DIGITS, 2).pow(exponent);
     Some(Float::with_val(bits, &mantissa) * scale)
 }

@@ -42,11 +42,11 @@ impl Pipes {
         self.requests = None;
     }
 
-    /// Writes the message, and returns the next line without its end.
+    /// Writes the message, and returns the next line without its end; waits for ever where there is no deadline.
     pub(super) fn exchange(
         &mut self,
         message: &[u8],
-        deadline: Instant,
+        deadline: Option<Instant>,
     ) -> Result<Vec<u8>, Trouble> {
         let mut unwritten = message;
         loop {
@@ -128,9 +128,9 @@ impl Pipes {
     }
 
     /// Until the child has written, or has read if there is something left to write.
-    fn wait(&self, writing: bool, deadline: Instant) -> Result<(), Trouble> {
-        let left = deadline.saturating_duration_since(Instant::now());
-        if left.is_zero() {
+    fn wait(&self, writing: bool, deadline: Option<Instant>) -> Result<(), Trouble> {
+        let left = deadline.map(|deadline| deadline.saturating_duration_since(Instant::now()));
+        if left.is_some_and(|left| left.is_zero()) {
             return Err(Trouble::TimedOut);
         }
         let mut ends = vec![PollFd::new(&self.answers, PollFlags::IN)];
@@ -138,7 +138,7 @@ impl Pipes {
             ends.push(PollFd::new(requests, PollFlags::OUT));
         }
         // What is too long for the system to count is as good as no bound.
-        let left = Timespec::try_from(left).ok();
+        let left = left.and_then(|left| Timespec::try_from(left).ok());
         match poll(&mut ends, left.as_ref()) {
             Ok(_) | Err(Errno::INTR) => Ok(()),
             Err(error) => Err(Trouble::System(error.into())),

@@ -1,9 +1,11 @@
+use super::answer;
 use super::bare::quoted;
 use super::number::Number;
 use super::trouble::Trouble;
 use super::written::{Array, Numbers, Written};
 use super::{greeting, schema};
-use crate::kernel::{Declaration, FormKind, Sampling};
+use crate::case::{catalogue, manufacture::manufacture};
+use crate::kernel::{Data, Declaration, FormKind, Sampling, Subject, Task};
 use crate::real::FormatName;
 use rug::Float;
 use serde_json::{Value, json};
@@ -41,6 +43,9 @@ fn numbers_are_read_to_the_last_bit() {
         assert_eq!(number(text), value, "{text}");
     }
     assert!(number("\"nan\"").is_nan() && number("\"-NaN\"").is_nan());
+    // What nothing can hold.
+    assert_eq!(number("\"-1e-99999999999999999999\""), 0.0);
+    assert_eq!(number("\"1e99999999999999999999\""), f64::INFINITY);
     // What binary64 cannot hold.
     assert_eq!(number("\"1e-400\"").to_f64(), 0.0);
     assert!(number("\"1e-400\"") > 0);
@@ -228,6 +233,44 @@ fn what_is_wrong_with_a_greeting_is_named_with_what_is_allowed() {
             "{line}"
         );
     }
+}
+
+#[test]
+fn any_bytes_are_an_answer_or_are_refused() {
+    let description = catalogue::find("homogeneous").unwrap().unwrap();
+    let channels = manufacture(&description).unwrap().into_iter();
+    let channels = channels.map(|c| (c.channel, c.case)).collect();
+    let task = Task {
+        subject: &Subject::new("homogeneous", channels).unwrap(),
+        step: 1.0,
+        segments: 2,
+        seed: 0,
+        data: Data::Function,
+    };
+    let line = br#"{"type":"radiance","id":7,"results":[{"radiance":["-0x1.8p-3"],"opacity":NaN,"step":"1e-5",
+        "segments":4,"standard_error":[-Infinity]}]}"#;
+    let read = |line: &[u8]| answer::read(line, 7, &[&task], 53);
+    let rendering = read(line).unwrap().pop().unwrap().unwrap();
+    assert_eq!(rendering.radiance[0], -0.1875);
+    let (mut answers, mut random) = (0, 1_u64);
+    for _ in 0..20_000 {
+        let mut line = line.to_vec();
+        for _ in 0..2 {
+            random = random
+                .wrapping_mul(6_364_136_223_846_793_005)
+                .wrapping_add(1);
+            let place = (random >> 33) as usize % line.len();
+            match random >> 62 {
+                0 => line[place] = (random >> 20).to_le_bytes()[0],
+                1 => line.truncate(place + 1),
+                2 => line[place] = b"0123456789\"-+.ex[]{}"[(random >> 20) as usize % 20],
+                _ => drop(line.remove(place)),
+            }
+        }
+        answers += usize::from(read(&line).is_ok());
+    }
+    // Some are hurt where it does not matter.
+    assert!((20..10_000).contains(&answers), "{answers}");
 }
 
 #[test]

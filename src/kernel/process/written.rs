@@ -88,7 +88,7 @@ impl fmt::Display for Hexadecimal {
 
 impl JsonSchema for Written {
     fn schema_name() -> Cow<'static, str> {
-        "Written".into()
+        "Binary64".into()
     }
 
     fn json_schema(_: &mut SchemaGenerator) -> Schema {
