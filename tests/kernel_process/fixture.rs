@@ -65,11 +65,10 @@ pub(crate) fn patient() -> Options {
     Options::default()
 }
 
-/// Too little for those that hang; a machine that is busy may take a second to start the others.
+/// For those that do not greet.
 pub(crate) fn hasty() -> Options {
     Options {
         start_timeout: Duration::from_millis(1500),
-        timeout: Duration::from_millis(500),
         ..Options::default()
     }
 }

@@ -73,6 +73,13 @@ if MODE == "half-greeting":
     sys.exit(0)
 
 requests.readline()
+# What is to be so when volver goes on comes before the greeting.
+if MODE == "closes-requests":
+    requests.close()
+if MODE == "does-not-end":
+    signal.signal(signal.SIGTERM, signal.SIG_IGN)
+if MODE == "leaves-descendant":
+    descendant()
 if MODE == "unknown-key":
     greet(metod="nerf")
 elif MODE == "version-2":
@@ -99,16 +106,11 @@ else:
 if MODE == "does-not-read":
     hang()
 if MODE == "closes-requests":
-    requests.close()
     hang()
 if MODE == "closes-answers":
     requests.readline()
     answers.close()
     hang()
-if MODE == "does-not-end":
-    signal.signal(signal.SIGTERM, signal.SIG_IGN)
-if MODE == "leaves-descendant":
-    descendant()
 
 for line in requests:
     request = json.loads(line)

@@ -57,10 +57,10 @@ fn a_kernel_that_behaves_is_asked_again_and_again() {
     assert_eq!(all, [4.0, 8.0, 16.0]);
     assert!(kernel.render_all(&[]).is_empty());
     assert_eq!(fixture.starts(), 1);
-    // Idle kernels end by themselves when no more is asked.
+    // Idle kernels end by themselves when no more is asked: they need not be told to.
     let start = Instant::now();
     drop(kernel);
-    assert!(start.elapsed() < Duration::from_secs(1));
+    assert!(start.elapsed() < Duration::from_secs(2));
     fixture.assert_gone();
 }
 
@@ -171,7 +171,12 @@ fn a_start_of_half_a_minute_is_no_trouble() {
 fn a_kernel_that_hangs_is_killed_and_given_up_after_three_times() {
     for mode in ["never-answers", "descendant", "does-not-read"] {
         let fixture = Fixture::new();
-        let mut kernel = fixture.start(mode, hasty()).unwrap();
+        let timeout = Duration::from_millis(500);
+        let options = Options {
+            timeout,
+            ..patient()
+        };
+        let mut kernel = fixture.start(mode, options).unwrap();
         // More than a pipe holds: who does not read blocks who writes.
         let subject = subject("homogeneous");
         let cut = segments(&subject, 1 << 14);
@@ -191,7 +196,7 @@ fn a_kernel_that_hangs_is_killed_and_given_up_after_three_times() {
             "{error:?}"
         );
         assert_eq!(fixture.starts(), 3);
-        assert!(start.elapsed() < Duration::from_secs(10));
+        assert!(start.elapsed() < Duration::from_secs(30));
     }
 }
 
@@ -364,8 +369,6 @@ fn closed_pipes_are_named() {
         ("closes-answers", "the kernel closed its answer pipe"),
     ] {
         let mut kernel = fixture.start(mode, patient()).unwrap();
-        // The pipe is closed some time after the greeting.
-        std::thread::sleep(Duration::from_millis(300));
         let error = kernel.render(&task(&subject, &cut)).unwrap_err();
         assert_eq!(error.to_string(), words);
         fixture.assert_gone();
@@ -401,7 +404,6 @@ fn kernels_that_do_not_end_are_ended() {
     for mode in ["does-not-end", "leaves-descendant"] {
         let fixture = Fixture::new();
         let kernel = fixture.start(mode, patient()).unwrap();
-        std::thread::sleep(Duration::from_millis(300));
         let start = Instant::now();
         drop(kernel);
         assert!(start.elapsed() < Duration::from_secs(4), "{mode}");
