@@ -68,7 +68,7 @@ impl fmt::Display for Model {
 pub struct Match {
     /// The model.
     pub model: Model,
-    /// Correct decimal digits of the value that agrees least, among the channels that agree.
+    /// Correct decimal digits of the value that agrees least, of a channel in the middle of those that agree.
     pub digits: f64,
     /// Channels, by index, whose every level agrees.
     pub agrees: Vec<usize>,
@@ -331,7 +331,7 @@ impl Search<'_> {
 
     /// How well a model reproduces all levels; `None` where it cannot be computed anywhere.
     fn compare(&self, model: Model, accuracy: Accuracy) -> Option<Match> {
-        let mut digits = MOST_DIGITS;
+        let mut digits = Vec::new();
         let mut agrees = Vec::new();
         let mut compared = 0;
         for (index, watched) in self.watched.iter().enumerate() {
@@ -346,12 +346,13 @@ impl Search<'_> {
             if together {
                 agrees.push(index);
                 let worst = both.map(|(level, value)| correct_digits(level.value, *value));
-                digits = worst.fold(digits, f64::min);
+                digits.push(worst.fold(MOST_DIGITS, f64::min));
             }
         }
+        digits.sort_by(f64::total_cmp);
         (compared > 0).then_some(Match {
             model,
-            digits,
+            digits: digits.get(digits.len() / 2).copied().unwrap_or(0.0),
             agrees,
             of: self.watched.len(),
         })
@@ -471,5 +472,6 @@ fn correct_digits(value: f64, model: f64) -> f64 {
         return MOST_DIGITS;
     }
     let difference = ((value - model) / value.abs().max(model.abs())).abs();
-    (-difference.log10()).clamp(0.0, MOST_DIGITS)
+    // Adding 0 takes the sign of −0.
+    (-difference.log10()).clamp(0.0, MOST_DIGITS) + 0.0
 }

@@ -6,8 +6,11 @@ use crate::method::{Method, MethodError};
 use crate::real::{Format, FormatName, Real, WithFormat};
 use rug::{Float, Rational};
 
-/// A method in a format. It cuts rays into equal segments: where the step does not divide the ray it uses
-/// the next shorter one that does, and says so.
+/// Rules take segments in groups of up to so many.
+const LARGEST_GROUP: usize = 16;
+
+/// A method in a format. It cuts rays into equal segments: where the step does not divide the ray, or the
+/// number of segments does not suit the method, it uses the next shorter one that does, and says so.
 #[derive(Clone, Debug)]
 pub struct BuiltIn {
     method: Method,
@@ -32,6 +35,15 @@ impl BuiltIn {
     }
 }
 
+impl BuiltIn {
+    /// The next number of segments that suits the method: some rules take groups of them.
+    fn suitable(&self, segments: u64) -> u64 {
+        let mut further = (segments..).take(LARGEST_GROUP);
+        let suits = |n: &u64| self.method.check_segments(*n).is_ok();
+        further.find(suits).unwrap_or(segments)
+    }
+}
+
 impl Kernel for BuiltIn {
     fn declaration(&self) -> &Declaration {
         &self.declaration
@@ -39,10 +51,11 @@ impl Kernel for BuiltIn {
 
     fn render(&mut self, task: &Task<'_>) -> Result<Rendering, KernelError> {
         let format = self.declaration.format;
-        let run = |case| radiance_in(format, &self.method, case, task.segments);
+        let segments = self.suitable(task.segments);
+        let run = |case| radiance_in(format, &self.method, case, segments);
         let radiance: Result<Vec<Float>, MethodError> =
             task.subject.cases().iter().map(run).collect();
-        let used = Rational::from(task.subject.length() / task.segments).to_f64();
+        let used = Rational::from(task.subject.length() / segments).to_f64();
         Ok(Rendering {
             radiance: radiance?,
             step: Some(used).filter(|used| used.to_bits() != task.step.to_bits()),

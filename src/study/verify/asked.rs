@@ -17,9 +17,6 @@ use rug::{Float, Rational};
 
 /// Bits of references beyond those of the kernel's format.
 const REFERENCE_BITS: u32 = 75;
-/// An opacity 1 − e^(−x) scatters by u/√12 whatever its size: what of that a floor is, which errors must exceed
-/// thirty times.
-const ABSOLUTE_PART: f64 = 0.1;
 /// Sizes that tables are known to be cut down to.
 const COARSER_TABLES: [usize; 6] = [16, 32, 64, 128, 256, 512];
 /// A kernel that says it is deterministic is asked twice, with another seed.
@@ -335,8 +332,11 @@ impl<'a> Asked<'a> {
         (channel, largest_emission): (usize, f64),
     ) -> Float {
         let bits = exact.prec();
-        let relative = Float::with_val(bits, exact.abs_ref()) * nominal::unit(self.declaration);
-        let mut floor = relative;
+        // Pixels are as bright as the brightest emission, and kernels round opacities, which are of order 1: what
+        // is much fainter than either has the rounding of both.
+        let scale = Float::with_val(bits, exact.abs_ref());
+        let scale = scale.max(&Float::with_val(bits, largest_emission));
+        let mut floor = scale * nominal::unit(self.declaration);
         if let Some(quantum) = self.declaration.quantum {
             floor = floor.max(&Float::with_val(bits, quantum / 2.0));
         }
@@ -346,9 +346,7 @@ impl<'a> Asked<'a> {
                 floor = rounding;
             }
         } else {
-            // Roundings of as many segments, by chance up and down; those of opacities are absolute.
-            let unit = nominal::unit(self.declaration);
-            floor += ABSOLUTE_PART * unit * largest_emission;
+            // Roundings of as many segments, by chance up and down.
             floor *= (level.count as f64).sqrt();
         }
         if let (Axis::Grid, Some(volume), Some(value)) =

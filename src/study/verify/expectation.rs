@@ -10,8 +10,8 @@ const GRID_ORDER: f64 = 2.0;
 
 /// What is expected; `None` where nobody claims anything.
 ///
-/// A method's order on a case follows from theory. An order that is only claimed counts on smooth cases in which
-/// nothing makes errors smaller than they are in general; on all others theory does not say.
+/// A method's order on a case follows from theory. An order that is only claimed counts on smooth cases, where it is
+/// the least that may show; on all others theory does not say.
 pub(super) fn of(
     declaration: &Declaration,
     settings: &Settings,
@@ -19,7 +19,7 @@ pub(super) fn of(
 ) -> Option<Expected> {
     let structure = case.structure();
     let general = |order: f64| {
-        if is_general(&structure, order) {
+        if is_smooth(&structure) {
             Expected::Order(order)
         } else {
             Expected::Unknown
@@ -53,16 +53,7 @@ fn on_volume(method: &Method) -> Expected {
     })
 }
 
-/// Whether nothing is known of a case that could make the errors of a method of that order smaller than its
-/// order says, or larger.
-fn is_general(structure: &Structure, order: f64) -> bool {
-    let along = &structure.along;
-    let degree = structure.extinction_degree();
-    let cancels = structure.source_is_zero()
-        || structure.source_is_constant()
-        || structure.emission_is_constant()
-        || along.parabolas_hide_source
-        || along.end_samples_cancel
-        || along.equal_at_ends.contains(&true);
-    structure.breaks.is_empty() && !cancels && degree.is_none_or(|degree| degree as f64 >= order)
+/// Whether a method of any order shows at least that order on a case of that structure.
+fn is_smooth(structure: &Structure) -> bool {
+    structure.breaks.is_empty() && !structure.source_is_zero()
 }

@@ -5,6 +5,7 @@ use super::{Line, Standing};
 use crate::convergence::{Sample, Verdict};
 use crate::diagnosis::{Fingerprint, Watched, jittered, likeness};
 use crate::kernel::Declaration;
+use crate::real::FormatName;
 use std::collections::BTreeMap;
 
 /// A defect, and where it shows.
@@ -45,6 +46,7 @@ pub(super) fn findings(
         }));
         return findings;
     }
+    findings.extend(growth(declaration, lines));
     let mut by_defect: BTreeMap<String, Vec<String>> = BTreeMap::new();
     let explained = |index: usize| {
         let best = fingerprint.and_then(|found| found.best.as_ref());
@@ -59,11 +61,8 @@ pub(super) fn findings(
         if explained(index) || !suspicious || !line.is_complete() {
             continue;
         }
-        let defect = growth(line).or_else(|| {
-            let alike = likeness(watched, line.exact.to_f64())?;
-            Some(alike.recipe.defect())
-        });
-        if let Some(defect) = defect {
+        if let Some(alike) = likeness(watched, line.exact.to_f64()) {
+            let defect = alike.recipe.defect();
             by_defect.entry(defect).or_default().push(line.name.clone());
         }
     }
@@ -82,40 +81,55 @@ fn names<'a>(lines: impl Iterator<Item = &'a Line>) -> Vec<String> {
 }
 
 /// Errors that fall first and then grow with the number of segments: every segment's rounding adds up.
-fn growth(line: &Line) -> Option<String> {
+fn grows(line: &Line, unit: f64) -> bool {
     let Measured::Fitted { samples, .. } = &line.measured else {
-        return None;
+        return false;
     };
     let size = |sample: &Sample| sample.error.to_f64().abs();
-    let least = samples
-        .iter()
-        .enumerate()
-        .min_by(|a, b| size(a.1).total_cmp(&size(b.1)))
-        .map(|(index, _)| index)?;
-    let growing = samples.get(least..)?;
-    let [first, .., last] = growing else {
-        return None;
+    let sizes: Vec<f64> = samples.iter().map(size).collect();
+    let least = sizes.iter().enumerate().min_by(|a, b| a.1.total_cmp(b.1));
+    let Some((least, _)) = least else {
+        return false;
     };
-    let falls_first = least > 0;
-    let orders = growing.windows(2).filter_map(|pair| match pair {
-        [coarse, fine] => {
-            Some((size(fine) / size(coarse)).log2() / (coarse.step / fine.step).log2())
-        }
-        _ => None,
-    });
-    // The first step out of the minimum is steeper or flatter by chance.
-    let steady = orders.skip(1).all(|order| order > GROWS);
-    let whole = (size(last) / size(first)).log2() / (first.step / last.step).log2();
-    if !falls_first || growing.len() < 4 || !steady || whole < GROWS {
-        return None;
+    let (Some(growing), Some([first, .., last])) = (sizes.get(least..), samples.get(least..))
+    else {
+        return false;
+    };
+    if least == 0 || growing.len() < FEWEST_GROWING {
+        return false;
     }
-    let segments = last.n.unwrap_or(0).max(1) as f64;
-    let scale = line.exact.to_f64().abs();
-    let bits = (segments * scale / size(last)).log2().round();
-    Some(format!(
-        "errors grow with the number of segments, as rounding in a fixed-point accumulator of about {bits} bits does"
-    ))
+    let falls = growing.windows(2).filter(|pair| pair[1] < pair[0]).count();
+    let order = (size(last) / size(first)).log2() / (first.step / last.step).log2();
+    // Beyond what as many roundings add up to by chance.
+    let segments = last.n.unwrap_or(1) as f64;
+    let walk = FAR * unit * segments.sqrt() * line.exact.to_f64().abs();
+    falls <= 1 && order > GROWS && size(last) > walk
 }
 
+/// Levels from the least error on.
+const FEWEST_GROWING: usize = 4;
 /// Errors that grow by a higher power of n than this are no walk.
 const GROWS: f64 = 0.6;
+/// A walk does not come so many times as far as it does on average.
+const FAR: f64 = 8.0;
+/// So many channels, or all there are, must show it.
+const FEWEST_CHANNELS: usize = 3;
+
+/// The finding that errors grow, where that shows in several channels.
+fn growth(declaration: &Declaration, lines: &[Line]) -> Option<Finding> {
+    let unit = super::nominal::unit(declaration);
+    let channels = names(lines.iter().filter(|line| grows(line, unit)));
+    let enough = channels.len() >= FEWEST_CHANNELS.min(lines.len()).max(1);
+    let defect = match declaration.format {
+        FormatName::Fixed(_) => {
+            "errors fall first and then grow with the number of segments: the fixed-point accumulator rounds at every segment, always the same way"
+        }
+        _ => {
+            "errors fall first and then grow with the number of segments, as those of a fixed-point accumulator do, which rounds at every segment"
+        }
+    };
+    enough.then(|| Finding {
+        defect: defect.into(),
+        channels,
+    })
+}

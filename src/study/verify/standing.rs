@@ -100,12 +100,13 @@ pub(super) fn of(judged: &Judged<'_>) -> Standing {
     }
     let does_not_converge = matches!(verdict, Verdict::Diverged | Verdict::Stalled);
     let is_order = matches!(judged.expected, Some(Expected::Order(_) | Expected::Exact));
-    let misses = matches!(verdict, Verdict::TooLow | Verdict::TooHigh) || does_not_converge;
+    let misses = verdict == Verdict::TooLow || does_not_converge;
     let contradicts = match judged.of_method {
         Some(of_method) if of_method.passes(judged.expected) => {
-            misses || verdict == Verdict::Oscillatory
+            misses || matches!(verdict, Verdict::TooHigh | Verdict::Oscillatory)
         }
         Some(of_method) => does_not_converge && verdict != of_method,
+        // Of an order alone nobody knows on which cases it is higher.
         None => is_order && misses,
     };
     if contradicts {
