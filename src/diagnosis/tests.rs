@@ -4,7 +4,7 @@ use crate::case::manufacture::manufacture;
 use crate::case::{Case, Fresh, SymbolicCase};
 use crate::kernel::{Cut, Declaration, Subject};
 use crate::method::Method;
-use crate::real::{Mpfr, Native, Real};
+use crate::real::{Mpfr, MpfrReal, Native, Real};
 
 fn case(name: &str) -> SymbolicCase {
     let description = catalogue::find(name).unwrap().unwrap();
@@ -61,7 +61,7 @@ fn recipes_are_the_methods_that_they_stand_for() {
         let recipe = Recipe::of_method(&method).unwrap();
         // The case's numbers in binary64 are what both start from: here they are the same to that many bits.
         let segments = subject("thick").segments(Cut::Segments(16)).unwrap();
-        let ray = Ray::new(&segments, 0, format);
+        let ray: Ray<MpfrReal> = Ray::new(&segments, 0, format);
         let by_recipe = radiance(&recipe, &ray, format).to_float();
         let thick = case("thick");
         let by_method = method.radiance(&Fresh::new(&thick, format), 16).unwrap();
@@ -74,9 +74,9 @@ fn recipes_are_the_methods_that_they_stand_for() {
 #[test]
 fn linear_segments_are_exact_on_a_linear_medium() {
     let subject = subject("linear-transfer");
-    let exact = case("linear-transfer").radiance(&2.0).unwrap();
+    let exact: f64 = case("linear-transfer").radiance(&2.0).unwrap();
     let segments = subject.segments(Cut::Segments(4)).unwrap();
-    let ray = Ray::new(&segments, 0, Native::<f64>::new());
+    let ray: Ray<f64> = Ray::new(&segments, 0, Native::<f64>::new());
     let recipe = Recipe {
         places: Places::Linear,
         ..Recipe::default()
