@@ -53,13 +53,22 @@ pub fn likeness(watched: &Watched, exact: f64) -> Option<Likeness> {
     if without as f64 > TOO_MUCH * of as f64 {
         return None;
     }
+    let uncorrected = sound.iter().map(|recipe| Recipe {
+        opacity: super::OpacityModel::Uncorrected { length: 1.0 },
+        ..*recipe
+    });
+    let uncorrected: Vec<Recipe> = uncorrected.collect();
     let stopped = sound.iter().flat_map(|recipe| {
         USUAL.into_iter().map(|stop| Recipe {
             stop: Some(stop),
             ..*recipe
         })
     });
-    let all: Vec<Recipe> = defective.into_iter().chain(stopped).collect();
+    let all: Vec<Recipe> = defective
+        .into_iter()
+        .chain(uncorrected)
+        .chain(stopped)
+        .collect();
     let counted: Vec<(usize, Recipe)> = all
         .into_par_iter()
         .map(|recipe| (explained(&recipe), recipe))

@@ -12,20 +12,24 @@ mod jitter;
 mod likeness;
 mod linear;
 mod march;
+mod model;
 mod parameter;
 mod places;
 mod ray;
 mod recipe;
+mod search;
 mod stops;
 #[cfg(test)]
 mod tests;
+mod values;
 mod watched;
 
-pub use fingerprint::{Fingerprint, Match, Model, fingerprint};
+pub use fingerprint::{Fingerprint, fingerprint};
 pub use jitter::{Jittered, jittered};
 pub use likeness::{Likeness, likeness};
 pub use linear::LinearSegments;
 pub use march::{radiance, radiance_by};
+pub use model::{Match, Model};
 pub use places::Places;
 pub use ray::Ray;
 pub use recipe::{

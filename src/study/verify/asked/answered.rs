@@ -1,0 +1,215 @@
+//! What comes of a kernel's answers.
+
+use super::used::lookups;
+use super::{Answers, Asked, Level};
+use crate::case::Case;
+use crate::convergence::{Replicas, Sample, fit, fit_replicas};
+use crate::diagnosis::{Ray, Watched, WatchedLevel};
+use crate::kernel::{Cut, FormKind, KernelError, Rendering};
+use crate::real::Native;
+use crate::study::verify::line::{Failure, Line, Measured, Radiances};
+use crate::study::verify::nominal::{self, Nominal};
+use crate::study::verify::standing::{self, Judged};
+use crate::study::verify::{Axis, VerifyError, expectation, truth};
+use rug::Float;
+
+/// Bits of references beyond those of the kernel's format.
+const REFERENCE_BITS: u32 = 75;
+
+impl Asked<'_> {
+    /// What one channel shows.
+    pub(in crate::study::verify) fn line(
+        &self,
+        channel: usize,
+        answers: &Answers,
+    ) -> Result<(Line, Watched), VerifyError> {
+        let case = &self.subject.cases()[channel];
+        let bits = nominal::bits(self.declaration.format).max(f64::MANTISSA_DIGITS);
+        let exact = truth::of_case(case, bits + REFERENCE_BITS, self.declaration.far_wall)?;
+        let stepwise = match self.levels.first().map(|level| &level.volume) {
+            Some(Some(volume)) if self.settings.axis == Axis::Step => {
+                let length = self.subject.length();
+                truth::of_volume(volume, length, channel, bits + REFERENCE_BITS)
+            }
+            _ => exact,
+        };
+        let mut radiances = Radiances::new(stepwise);
+        let mut failures = Vec::new();
+        let mut watched = Watched {
+            name: case.name().into(),
+            case: case.clone(),
+            scale: radiances.exact.to_f64().abs(),
+            levels: Vec::new(),
+            again: Self::again(channel, answers),
+            lookups: lookups().map(|lookup| (lookup, Vec::new())).collect(),
+        };
+        if self.declaration.form != FormKind::Volume {
+            watched.lookups.clear();
+        }
+        for (level, answers) in self.levels.iter().zip(&answers.levels) {
+            let whole: Result<Vec<&Rendering>, &KernelError> =
+                answers.iter().map(Result::as_ref).collect();
+            let renderings = match whole {
+                Ok(renderings) => renderings,
+                Err(error) => {
+                    let n = level.count;
+                    failures.push(Failure::new(n, error));
+                    continue;
+                }
+            };
+            let Some(first) = renderings.first() else {
+                continue;
+            };
+            let cut = self.used(level, first);
+            let segments = self.segments(level, cut)?;
+            let uniform = match cut {
+                Cut::Segments(n) => Some(n),
+                Cut::Step(_) => None,
+            };
+            let declared = nominal::at_level(self.declaration, case, &segments, channel, uniform);
+            let values: Vec<Float> = renderings
+                .iter()
+                .map(|rendering| rendering.radiance[channel].clone())
+                .collect();
+            if let Some(value) = values.first() {
+                watched.levels.push(WatchedLevel {
+                    ray: Ray::new(&segments, channel, Native::<f64>::new()),
+                    uniform: uniform.filter(|_| level.volume.is_none()),
+                    value: value.to_f64(),
+                });
+            }
+            for (lookup, rays) in &mut watched.lookups {
+                let segments = self.looked_up(level, cut, *lookup)?;
+                rays.push(Ray::new(&segments, channel, Native::<f64>::new()));
+            }
+            let step = first.step.unwrap_or_else(|| level.step.to_f64());
+            let (n, step) = self.coordinate(level, uniform, step);
+            let largest = watched.levels.last();
+            let largest = largest.map_or(0.0, |level| level.ray.largest_emission());
+            let floor = self.floor(
+                &radiances.exact,
+                level,
+                declared.as_ref(),
+                &values,
+                (channel, largest),
+            );
+            radiances.push(n, step, values, floor, declared.map(|d| d.exact));
+        }
+        let steady = Self::is_steady(channel, answers);
+        let line = self.judged(channel, radiances, failures, steady)?;
+        Ok((line, watched))
+    }
+
+    /// What of an error may be rounding, or is left by what is not refined.
+    fn floor(
+        &self,
+        exact: &Float,
+        level: &Level,
+        declared: Option<&Nominal>,
+        values: &[Float],
+        (channel, largest_emission): (usize, f64),
+    ) -> Float {
+        let bits = exact.prec();
+        // Pixels are as bright as the brightest emission, and kernels round opacities, which are of order 1: what
+        // is much fainter than either has the rounding of both.
+        let scale = Float::with_val(bits, exact.abs_ref());
+        let scale = scale.max(&Float::with_val(bits, largest_emission));
+        let mut floor = scale * nominal::unit(self.declaration);
+        if let Some(quantum) = self.declaration.quantum {
+            floor = floor.max(&Float::with_val(bits, quantum / 2.0));
+        }
+        if let Some(Nominal { exact, in_format }) = declared {
+            let rounding = Float::with_val(bits, in_format - exact).abs();
+            if rounding > floor {
+                floor = rounding;
+            }
+        } else {
+            // Roundings of as many segments, by chance up and down.
+            floor *= (level.count as f64).sqrt();
+        }
+        if let (Axis::Grid, Some(volume), Some(value)) =
+            (self.settings.axis, &level.volume, values.first())
+        {
+            let on_grid = truth::of_volume(volume, self.subject.length(), channel, bits);
+            floor += Float::with_val(bits, value - on_grid).abs();
+        }
+        floor
+    }
+
+    /// Whether a kernel that is said to be deterministic answers the same twice.
+    fn is_steady(channel: usize, answers: &Answers) -> bool {
+        let first = answers.levels.first().and_then(|level| level.first());
+        match (first, &answers.again) {
+            (Some(Ok(first)), Some(Ok(again))) => {
+                let (first, again) = (&first.radiance[channel], &again.radiance[channel]);
+                first == again || (first.is_nan() && again.is_nan())
+            }
+            _ => true,
+        }
+    }
+
+    /// The second radiance of the coarsest level.
+    fn again(channel: usize, answers: &Answers) -> Option<f64> {
+        let of_replicas = || answers.levels.first()?.get(1);
+        let second = answers.again.as_ref().or_else(of_replicas)?;
+        let rendering = second.as_ref().ok()?;
+        Some(rendering.radiance.get(channel)?.to_f64())
+    }
+
+    fn judged(
+        &self,
+        channel: usize,
+        radiances: Radiances,
+        failures: Vec<Failure>,
+        steady: bool,
+    ) -> Result<Line, VerifyError> {
+        let case = &self.subject.cases()[channel];
+        let expected = expectation::of(self.declaration, self.settings, case);
+        let name = case.name().to_string();
+        let measured = if self.declaration.stochastic {
+            let levels: Vec<Replicas> = radiances.replicas();
+            if levels.len() < 3 {
+                Measured::Nothing
+            } else {
+                let fitted = fit_replicas(&levels, expected, 0);
+                Measured::Scattered(Box::new(fitted.map_err(|error| VerifyError::Replicas {
+                    case: name.clone(),
+                    error,
+                })?))
+            }
+        } else {
+            let samples: Vec<Sample> = radiances.samples();
+            let fitted = fit(&samples, expected).map_err(|error| VerifyError::Fit {
+                case: name.clone(),
+                error,
+            })?;
+            Measured::Fitted {
+                fit: Box::new(fitted),
+                samples,
+            }
+        };
+        let of_method = radiances.nominal_samples().map(|samples| {
+            fit(&samples, expected).map_err(|error| VerifyError::Fit {
+                case: name.clone(),
+                error,
+            })
+        });
+        let of_method = of_method.transpose()?;
+        let standing = standing::of(&Judged {
+            measured: &measured,
+            expected,
+            failures: &failures,
+            of_method: of_method.as_ref().map(|fit| fit.verdict),
+            steady,
+        });
+        Ok(Line {
+            name,
+            expected,
+            exact: radiances.exact,
+            measured,
+            failures,
+            steady,
+            standing,
+        })
+    }
+}
