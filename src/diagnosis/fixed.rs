@@ -1,9 +1,12 @@
 //! Values that are all multiples of one quantum, or all binary32 numbers: what they were kept in.
 
 use super::{Accumulator, FixedRounding, FixedScale, Watched};
+use std::ops::RangeInclusive;
 
-/// Bits of a fraction that renderers use.
-const FIXED_BITS: [u32; 6] = [8, 10, 12, 15, 16, 24];
+/// Bits of a fraction looked for.
+const FIXED_BITS: RangeInclusive<u32> = 6..=24;
+/// Fractions of so few bits no rounded binary32 numbers have all alike.
+const SURE_BITS: u32 = 16;
 /// How far from an integer a multiple of the quantum may lie: values come in binary64.
 const NEARLY_INTEGER: f64 = 1e-6;
 /// So many different values are no accident.
@@ -20,9 +23,7 @@ pub(super) fn detect(watched: &[Watched]) -> Option<Accumulator> {
         return None;
     }
     let scales = [FixedScale::PowerOfTwo, FixedScale::Largest];
-    let kinds = FIXED_BITS
-        .into_iter()
-        .flat_map(|bits| scales.map(|scale| (bits, scale)));
+    let kinds = FIXED_BITS.flat_map(|bits| scales.map(|scale| (bits, scale)));
     for (bits, scale) in kinds {
         let quanta = scale.quanta(bits);
         let is_multiple = |value: &f64| {
@@ -30,7 +31,7 @@ pub(super) fn detect(watched: &[Watched]) -> Option<Accumulator> {
             (multiple - multiple.round()).abs() <= NEARLY_INTEGER
         };
         // Of binary32 numbers all large ones are multiples of 2⁻²⁴; none of those near the quantum is.
-        let is_grid = bits < 24 || values.iter().any(|value| value * quanta < 4096.0);
+        let is_grid = bits <= SURE_BITS || values.iter().any(|value| value * quanta < 4096.0);
         if is_grid && values.iter().all(is_multiple) {
             let rounding = FixedRounding::Nearest;
             return Some(Accumulator::Fixed {

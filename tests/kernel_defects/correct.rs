@@ -4,7 +4,8 @@ use super::marcher::{Fault, declared, march};
 use super::{run, subjects};
 use volver::kernel::{BuiltIn, Closure, Kernel};
 use volver::real::FormatName;
-use volver::study::verify::Conclusion;
+use volver::study::Silent;
+use volver::study::verify::{Conclusion, Settings, verify};
 
 const LADDERS: [(&str, bool); 3] = [("8..512", false), ("10..810x3", false), ("8..512", true)];
 
@@ -72,5 +73,24 @@ fn correct_kernels_raise_no_alarm() {
             assert_eq!(verification.findings, [], "{name:?}");
             assert!(verification.counts().confirmed >= 3, "{name:?} {shown:#?}");
         }
+    }
+}
+
+/// A right kernel under a wrong claim is not confirmed, whatever it declares.
+#[test]
+fn an_order_that_is_not_its_own_is_not_confirmed() {
+    let subjects = subjects();
+    for (method, wrong) in [
+        ("front-to-back/front/expm1", 2),
+        ("front-to-back/middle/expm1", 1),
+        ("trapezoid/trapezoid", 4),
+        ("simpson/simpson", 2),
+    ] {
+        let mut settings = Settings::new(&"8..512".parse().unwrap()).unwrap();
+        settings.expect = Some(wrong.into());
+        let mut kernel = BuiltIn::new(method.parse().expect("a method"), FormatName::F64);
+        let verification = verify(&mut kernel, &subjects, &settings, &Silent, &mut |_| ()).unwrap();
+        let conclusion = verification.conclusion();
+        assert_eq!(conclusion, Conclusion::NotConfirmed, "{method} as {wrong}");
     }
 }

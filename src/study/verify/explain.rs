@@ -5,8 +5,8 @@ use super::{Line, Standing};
 use crate::convergence::{Sample, Verdict};
 use crate::diagnosis::{Fingerprint, Watched, jittered, likeness};
 use crate::kernel::Declaration;
-use crate::real::FormatName;
 use std::collections::BTreeMap;
+use std::ops::RangeInclusive;
 
 /// A defect, and where it shows.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -80,56 +80,59 @@ fn names<'a>(lines: impl Iterator<Item = &'a Line>) -> Vec<String> {
     lines.map(|line| line.name.clone()).collect()
 }
 
-/// Errors that fall first and then grow with the number of segments: every segment's rounding adds up.
-fn grows(line: &Line, unit: f64) -> bool {
+/// Errors that grow in proportion to the number of segments by a small part of the radiance a segment: every
+/// segment's rounding adds up. The bits of a fixed point that rounds so; `None` where they do not.
+fn bits_lost(line: &Line, unit: f64) -> Option<f64> {
     let Measured::Fitted { samples, .. } = &line.measured else {
-        return false;
+        return None;
     };
     let size = |sample: &Sample| sample.error.to_f64().abs();
-    let sizes: Vec<f64> = samples.iter().map(size).collect();
-    let least = sizes.iter().enumerate().min_by(|a, b| a.1.total_cmp(b.1));
-    let Some((least, _)) = least else {
-        return false;
+    let growing = samples.get(samples.len().checked_sub(GROWING)?..)?;
+    let [first, .., last] = growing else {
+        return None;
     };
-    let (Some(growing), Some([first, .., last])) = (sizes.get(least..), samples.get(least..))
-    else {
-        return false;
-    };
-    if least == 0 || growing.len() < FEWEST_GROWING {
-        return false;
-    }
-    let falls = growing.windows(2).filter(|pair| pair[1] < pair[0]).count();
+    let falls = growing.windows(2).filter(|pair| match pair {
+        [coarse, fine] => size(fine) < size(coarse),
+        _ => false,
+    });
     let order = (size(last) / size(first)).log2() / (first.step / last.step).log2();
+    let radiance = line.exact.to_f64().abs();
     // Beyond what as many roundings add up to by chance.
     let segments = last.n.unwrap_or(1) as f64;
-    let walk = FAR * unit * segments.sqrt() * line.exact.to_f64().abs();
-    falls <= 1 && order > GROWS && size(last) > walk
+    let is_far = size(last) > FAR * unit * segments.sqrt() * radiance;
+    let bits = (segments * radiance / size(last)).log2();
+    let is_fixed = FIXED_BITS.contains(&bits);
+    (falls.count() <= 1 && order > GROWS && is_far && is_fixed).then_some(bits)
 }
 
-/// Levels from the least error on.
-const FEWEST_GROWING: usize = 4;
+/// The finest levels, over which errors must grow.
+const GROWING: usize = 4;
 /// Errors that grow by a higher power of n than this are no walk.
 const GROWS: f64 = 0.6;
 /// A walk does not come so many times as far as it does on average.
 const FAR: f64 = 8.0;
+/// Accumulators of renderers: coarser ones show nothing, finer ones are binary32.
+const FIXED_BITS: RangeInclusive<f64> = 6.0..=20.0;
 /// So many channels, or all there are, must show it.
 const FEWEST_CHANNELS: usize = 3;
 
 /// The finding that errors grow, where that shows in several channels.
 fn growth(declaration: &Declaration, lines: &[Line]) -> Option<Finding> {
     let unit = super::nominal::unit(declaration);
-    let channels = names(lines.iter().filter(|line| grows(line, unit)));
-    let enough = channels.len() >= FEWEST_CHANNELS.min(lines.len()).max(1);
-    let defect = match declaration.format {
-        FormatName::Fixed(_) => {
-            "errors fall first and then grow with the number of segments: the fixed-point accumulator rounds at every segment, always the same way"
-        }
-        _ => {
-            "errors fall first and then grow with the number of segments, as those of a fixed-point accumulator do, which rounds at every segment"
-        }
-    };
-    enough.then(|| Finding {
-        defect: defect.into(),
-        channels,
+    let growing: Vec<(&Line, f64)> = lines
+        .iter()
+        .filter_map(|line| Some((line, bits_lost(line, unit)?)))
+        .collect();
+    if growing.len() < FEWEST_CHANNELS.min(lines.len()).max(1) {
+        return None;
+    }
+    let mut bits: Vec<f64> = growing.iter().map(|(_, bits)| *bits).collect();
+    bits.sort_by(f64::total_cmp);
+    let middle = bits.get(bits.len() / 2).map_or(0.0, |bits| bits.round());
+    Some(Finding {
+        defect: format!(
+            "errors grow with the number of segments: a fixed-point accumulator, of about {middle} bits, rounds at every segment, always the same way"
+        ),
+        channels: names(growing.into_iter().map(|(line, _)| line)),
     })
 }
