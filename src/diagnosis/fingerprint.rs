@@ -1,8 +1,8 @@
 //! Which model reproduces a kernel's values.
 
 use super::search::Search;
-use super::{Accumulator, Accuracy, Match, Model, Watched};
-use crate::kernel::Declaration;
+use super::{Accumulator, Accuracy, Match, Model, Places, Watched};
+use crate::kernel::{Declaration, Sampling};
 
 /// The part of the channels that a model has to reproduce to be named.
 pub(super) const ENOUGH: f64 = 0.9;
@@ -19,6 +19,8 @@ pub struct Fingerprint {
     pub declared: Option<Match>,
     /// What all values are numbers of, where that is coarser than declared.
     pub kept_in: Option<Accumulator>,
+    /// Where the values say that segments are sampled, where that is not as declared.
+    pub samples_at: Option<Places>,
 }
 
 impl Fingerprint {
@@ -29,11 +31,31 @@ impl Fingerprint {
         self.best.as_ref().is_some_and(enough)
     }
 
-    /// Whether a method was declared and the values are not its.
+    /// Whether a method was declared and the values are not its, or are sampled elsewhere than declared.
     #[must_use]
     pub fn contradicts_declaration(&self) -> bool {
         let short = |declared: &Match| declared.agrees.len() < declared.of;
-        self.declared.as_ref().is_some_and(short)
+        self.declared.as_ref().is_some_and(short) || self.samples_at.is_some()
+    }
+
+    /// Where the best model samples, where neither it nor one that is alike samples as declared.
+    fn sampled_otherwise(&self, declared: Sampling) -> Option<Places> {
+        let places = |model: &Model| match model {
+            Model::Recipe(recipe) => Some(recipe.places),
+            Model::Method(_) => None,
+        };
+        let best = self.best.as_ref().filter(|_| self.is_named())?;
+        let found = places(&best.model)?;
+        let as_declared = |places: Places| match declared {
+            Sampling::Front => places == Places::Front,
+            Sampling::Middle => places == Places::Middle,
+            Sampling::Back => places == Places::Back,
+            Sampling::Ends => !places.is_one_sample(),
+            // No recipe draws random numbers.
+            Sampling::Jittered => false,
+        };
+        let mut all = self.alike.iter().filter_map(places).chain([found]);
+        (!all.any(as_declared)).then_some(found)
     }
 }
 
@@ -69,6 +91,9 @@ pub fn fingerprint(
             *index = informative[*index];
         }
     };
+    found.samples_at = declaration
+        .claimed_sampling()
+        .and_then(|declared| found.sampled_otherwise(declared));
     found.best.iter_mut().for_each(restore);
     found.declared.iter_mut().for_each(restore);
     found

@@ -48,6 +48,7 @@ impl Search<'_> {
                 alike: Vec::new(),
                 declared,
                 kept_in,
+                samples_at: None,
             };
         }
         let mut matches = Vec::new();
@@ -72,6 +73,7 @@ impl Search<'_> {
             alike,
             declared,
             kept_in,
+            samples_at: None,
         }
     }
 

@@ -166,10 +166,12 @@ fn matched(best: &Match) -> String {
 
 /// What becomes of the declared method, where the values are not its.
 fn declared(found: &Fingerprint) -> Option<String> {
-    let declared = found.declared.as_ref()?;
     if !found.contradicts_declaration() {
         return None;
     }
+    let Some(declared) = &found.declared else {
+        return Some("that is not where it declares to sample".into());
+    };
     let Match {
         model, agrees, of, ..
     } = declared;

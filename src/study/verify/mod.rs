@@ -17,6 +17,7 @@ pub use settings::{Axis, GRID_SEGMENTS, REPLICAS, Settings, SettingsError, TABLE
 pub use standing::{Counts, Standing};
 
 use super::Progress;
+use crate::convergence::Verdict;
 use crate::diagnosis::{Accuracy, Fingerprint, Watched, fingerprint};
 use crate::kernel::{Declaration, Kernel, Subject};
 use crate::reference::ReferenceError;
@@ -64,6 +65,11 @@ impl Verification {
             .as_ref()
             .is_some_and(Fingerprint::contradicts_declaration);
         let failed = counts.failed + counts.contradicted > 0;
+        // A case may hide an error, but not most of them: then the order is a higher one.
+        let higher = self.lines.iter().filter(|line| {
+            line.standing == Standing::Inconclusive && line.measured.verdict() == Verdict::TooHigh
+        });
+        let failed = failed || higher.count() > counts.confirmed;
         if self.lines.iter().all(Line::is_without_answer) {
             Conclusion::CouldNotRun
         } else if counts.confirmed == 0 || failed || deviates {
