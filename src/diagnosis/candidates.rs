@@ -1,7 +1,7 @@
 //! The recipes and methods that a kernel's values are compared with.
 
 use super::parameter::Free;
-use super::{EmissionModel, Ends, OpacityModel, Places, Recipe};
+use super::{EmissionModel, End, Ends, OpacityModel, Places, Recipe};
 use crate::method::{
     Color, Exponential, Inner, Integration, Interpolant, LastSegment, Method, Nested, Opacity,
     Outer, Preintegrated, Scope,
@@ -24,18 +24,7 @@ pub(super) fn recipes() -> Vec<Candidate> {
     let sampled = [Places::Front, Places::Middle, Places::Back];
     let mut all = Vec::new();
     for places in sampled {
-        for ends in [
-            Ends::Kept,
-            Ends::FirstDropped,
-            Ends::LastDropped,
-            Ends::FirstDoubled,
-            Ends::LastDoubled,
-            Ends::OneExtra,
-        ] {
-            if places == Places::Middle && ends == Ends::OneExtra {
-                // There is no sample beyond the last middle: it counts twice.
-                continue;
-            }
+        for ends in ends(places) {
             for emission in [
                 EmissionModel::TimesOpacity,
                 EmissionModel::Unweighted,
@@ -68,6 +57,25 @@ pub(super) fn recipes() -> Vec<Candidate> {
         })
     }));
     all
+}
+
+/// What may become of the samples at the ends.
+fn ends(places: Places) -> Vec<Ends> {
+    let kinds = [End::Kept, End::Dropped, End::Doubled];
+    let one_extra = Ends {
+        one_extra: true,
+        ..Ends::default()
+    };
+    let both = kinds.into_iter().flat_map(|first| {
+        kinds.map(|last| Ends {
+            first,
+            last,
+            one_extra: false,
+        })
+    });
+    // There is no sample beyond the last middle: it counts twice.
+    let extra = Some(one_extra).filter(|_| places != Places::Middle);
+    both.chain(extra).collect()
 }
 
 fn of_opacities(recipe: &Recipe) -> impl Iterator<Item = Candidate> {

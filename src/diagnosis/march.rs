@@ -2,7 +2,7 @@
 
 use super::linear::LinearSegments;
 use super::ray::Sample;
-use super::{EmissionModel, Ends, OpacityModel, Places, Ray, Recipe};
+use super::{EmissionModel, End, Ends, OpacityModel, Places, Ray, Recipe};
 use crate::case::Transfer;
 use crate::method::OpacityFormula;
 use crate::real::{Format, Real};
@@ -98,24 +98,34 @@ fn sampled<R: Real>(
     formula: OpacityFormula,
 ) -> Vec<Step<R>> {
     let mut samples = ray.samples(recipe.places);
-    match recipe.ends {
-        Ends::Kept => {}
-        Ends::FirstDropped => {
-            samples.drain(..samples.len().min(1));
-        }
-        Ends::LastDropped => {
+    let Ends {
+        first,
+        last,
+        one_extra,
+    } = recipe.ends;
+    match last {
+        End::Kept => {}
+        End::Dropped => {
             samples.pop();
         }
-        Ends::FirstDoubled => {
+        End::Doubled => samples.extend(samples.last().cloned()),
+    }
+    match first {
+        End::Kept => {}
+        End::Dropped => {
+            samples.drain(..samples.len().min(1));
+        }
+        End::Doubled => {
             if let Some(first) = samples.first().cloned() {
                 samples.insert(0, first);
             }
         }
-        Ends::LastDoubled => samples.extend(samples.last().cloned()),
-        Ends::OneExtra => match ray.extra(recipe.places) {
+    }
+    if one_extra {
+        match ray.extra(recipe.places) {
             Some(extra) if recipe.places == Places::Back => samples.insert(0, extra),
             extra => samples.extend(extra),
-        },
+        }
     }
     let opacity = Opacity::new(recipe.opacity, format, formula);
     let last = samples.len().saturating_sub(1);

@@ -33,6 +33,6 @@ pub use model::{Match, Model};
 pub use places::Places;
 pub use ray::Ray;
 pub use recipe::{
-    Accumulator, EmissionModel, Ends, FixedRounding, FixedScale, Lookup, OpacityModel, Recipe,
+    Accumulator, EmissionModel, End, Ends, FixedRounding, FixedScale, Lookup, OpacityModel, Recipe,
 };
 pub use watched::{Accuracy, Watched, WatchedLevel};

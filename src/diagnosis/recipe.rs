@@ -44,20 +44,25 @@ pub struct Lookup {
 
 /// What becomes of the samples at the ends.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
-pub enum Ends {
-    /// All of them, once each.
+pub struct Ends {
+    /// Of the first one.
+    pub first: End,
+    /// Of the last one.
+    pub last: End,
+    /// There is one sample more than there are segments: at D for samples in front, at 0 for samples at the back.
+    pub one_extra: bool,
+}
+
+/// What becomes of one sample.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
+pub enum End {
+    /// It counts once.
     #[default]
     Kept,
-    /// The first one is missing.
-    FirstDropped,
-    /// The last one is missing.
-    LastDropped,
-    /// The first one counts twice.
-    FirstDoubled,
-    /// The last one counts twice.
-    LastDoubled,
-    /// One sample more than there are segments: at D for samples in front, at 0 for samples at the back.
-    OneExtra,
+    /// It is missing.
+    Dropped,
+    /// It counts twice.
+    Doubled,
 }
 
 /// How a segment's opacity comes of its extinction τ and its length d.
@@ -187,7 +192,9 @@ impl Recipe {
     #[must_use]
     pub fn defects(&self) -> usize {
         let parts = [
-            self.ends != Ends::Kept,
+            self.ends.first != End::Kept,
+            self.ends.last != End::Kept,
+            self.ends.one_extra,
             !matches!(self.opacity, OpacityModel::Exact | OpacityModel::Linear),
             self.emission != EmissionModel::TimesOpacity,
             self.swapped,

@@ -213,7 +213,7 @@ fn seeded_defects_are_flagged_and_named() {
     for (method, faults, words) in &mutants {
         let declaration = declared(method, faults);
         let mut kernel = Closure::new(declaration, |task, channel| march(task, channel, faults));
-        let verification = run(&mut kernel, &subjects, "8..512", false);
+        let verification = run(&mut kernel, &subjects, "8..256", false);
         let contradicted = verification
             .fingerprint
             .as_ref()

@@ -1,7 +1,7 @@
 //! Recipes in words.
 
 use super::{
-    Accumulator, EmissionModel, Ends, FixedRounding, FixedScale, Lookup, OpacityModel, Recipe,
+    Accumulator, EmissionModel, End, FixedRounding, FixedScale, Lookup, OpacityModel, Recipe,
 };
 use std::fmt;
 
@@ -12,15 +12,16 @@ impl fmt::Display for Recipe {
         if self.places.is_one_sample() {
             write!(f, ", {}", self.opacity)?;
         }
-        let ends = match self.ends {
-            Ends::Kept => "",
-            Ends::FirstDropped => ", first sample missing",
-            Ends::LastDropped => ", last sample missing",
-            Ends::FirstDoubled => ", first sample counted twice",
-            Ends::LastDoubled => ", last sample counted twice",
-            Ends::OneExtra => ", one extra sample",
-        };
-        f.write_str(ends)?;
+        for (end, which) in [(self.ends.first, "first"), (self.ends.last, "last")] {
+            match end {
+                End::Kept => {}
+                End::Dropped => write!(f, ", {which} sample missing")?,
+                End::Doubled => write!(f, ", {which} sample counted twice")?,
+            }
+        }
+        if self.ends.one_extra {
+            f.write_str(", one extra sample")?;
+        }
         f.write_str(match self.emission {
             EmissionModel::TimesOpacity => "",
             EmissionModel::Unweighted => ", emission not multiplied by opacity",
@@ -139,12 +140,15 @@ impl fmt::Display for Part {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::diagnosis::Places;
+    use crate::diagnosis::{Ends, Places};
 
     #[test]
     fn recipes_are_said_in_words() {
         let recipe = Recipe {
-            ends: Ends::LastDropped,
+            ends: Ends {
+                last: End::Dropped,
+                ..Ends::default()
+            },
             ..Recipe::default()
         };
         assert_eq!(
