@@ -1,6 +1,6 @@
 //! `JUnit` XML, which CI servers show: one test case a channel, and one for the fingerprint.
 
-use super::words::{fingerprint, order, theory};
+use super::words::{failure, failures, fingerprint, order, theory};
 use crate::diagnosis::Fingerprint;
 use crate::study::verify::{Conclusion, Line, Standing, Verification};
 use std::fmt::Write;
@@ -24,7 +24,12 @@ pub fn junit(verification: &Verification) -> String {
         .fingerprint
         .as_ref()
         .is_some_and(Fingerprint::contradicts_declaration);
-    let sentences = escape(&fingerprint(verification).join("; "));
+    let found = verification.findings.iter().map(|finding| {
+        let channels = finding.channels.join(", ");
+        format!("defect: {} ({channels})", finding.defect)
+    });
+    let sentences: Vec<String> = fingerprint(verification).into_iter().chain(found).collect();
+    let sentences = escape(&sentences.join("; "));
     let inside = if deviates {
         format!("<failure message=\"{sentences}\"/>")
     } else {
@@ -71,9 +76,7 @@ fn body(line: &Line) -> String {
             format!("<skipped message=\"{} ({found})\"/>", line.standing)
         }
         Standing::Failed => {
-            let errors = line.failures.iter();
-            let errors = errors.map(|f| format!("n = {}: {}", f.segments, f.error));
-            let errors: Vec<String> = errors.collect();
+            let errors: Vec<String> = failures(line).iter().map(failure).collect();
             format!("<error message=\"{}\"/>", escape(&errors.join("; ")))
         }
     }

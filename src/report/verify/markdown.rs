@@ -1,6 +1,8 @@
 //! A document with a plot a channel.
 
-use super::words::{axis, conclusion, fingerprint, floor, order, theory, window};
+use super::words::{
+    axis, conclusion, failure, failures, fingerprint, floor, order, theory, window,
+};
 use super::{is_drawn, plot_name};
 use crate::study::verify::Verification;
 use std::fmt::{self, Write};
@@ -66,8 +68,8 @@ fn document(verification: &Verification, text: &mut String) -> fmt::Result {
     }
     let failed = verification.lines.iter().filter(|line| !line.is_complete());
     for line in failed {
-        for failure in &line.failures {
-            let words = format!("{}, n = {}: {}", line.name, failure.segments, failure.error);
+        for group in &failures(line) {
+            let words = format!("{}, {}", line.name, failure(group));
             writeln!(text, "\n{}", escape(&words))?;
         }
     }

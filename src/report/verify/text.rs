@@ -1,35 +1,36 @@
 //! For a terminal: rows as they come, then what they say.
 
-use super::words::{NONE, bars, conclusion, fingerprint, floor, order, sign, theory, window};
+use super::words::{
+    NONE, bars, conclusion, failure, failures, fingerprint, order, sign, theory, window,
+};
 use crate::report::text::{MIN_WIDTH, Style, paint, wrap};
 use crate::study::verify::{Conclusion, Line, Standing, Verification};
 use std::fmt::Write;
 
-/// Columns and their widths; the verdict comes last and may be as long as it is.
+/// Columns and their widths: with the longest verdict behind them they fill 80 columns. Floors stand in the document.
 const NAME: usize = 22;
 const THEORY: usize = 5;
 const ORDER: usize = 13;
 const WINDOW: usize = 9;
-const FLOOR: usize = 5;
+const BARS: usize = 11;
+/// What blind is.
+const BLIND: &str = "blind: the case hides the leading error of what was declared";
 /// Failures shown of one channel.
 const FAILURES: usize = 2;
 
 /// The names of the columns, above the first [`row`].
 #[must_use]
 pub fn heading(color: bool) -> String {
-    let columns = columns(["case", "order", "measured", "window", "floor", "errors"]);
-    let head = format!("  {columns}  verdict");
+    let columns = columns(["case", "order", "measured", "window", "errors"]);
+    let head = format!("  {columns} verdict");
     paint(&head, Style::Faint, color) + "\n"
 }
 
-fn columns([name, theory, order, window, floor, errors]: [&str; 6]) -> String {
-    format!(
-        "{name:<NAME$} {theory:<THEORY$} {order:<ORDER$} {window:<WINDOW$} {floor:<FLOOR$} {errors:<8}"
-    )
+fn columns([name, theory, order, window, errors]: [&str; 5]) -> String {
+    format!("{name:<NAME$} {theory:<THEORY$} {order:<ORDER$} {window:<WINDOW$} {errors:<BARS$}")
 }
 
-/// One channel: the order promised and measured, the window, the floor, the errors of all levels as bars, the
-/// verdict; failures below.
+/// One channel: the order promised and measured, the window, the errors as bars, the verdict; failures below.
 #[must_use]
 pub fn row(line: &Line, width: usize, color: bool) -> String {
     let measured = order(line);
@@ -38,8 +39,7 @@ pub fn row(line: &Line, width: usize, color: bool) -> String {
         &theory(line.expected),
         &measured,
         &window(line),
-        &floor(line),
-        &bars(line),
+        &thinned(&bars(line)),
     ]);
     let style = style(line.standing);
     let verdict = match line.standing {
@@ -53,15 +53,13 @@ pub fn row(line: &Line, width: usize, color: bool) -> String {
         paint(verdict, style, color)
     );
     let mut shown: Vec<String> = Vec::new();
-    for failure in &line.failures {
-        let words = format!("n = {}: {}", failure.segments, failure.error);
-        if shown.len() < FAILURES {
-            shown.push(words);
-        }
-    }
-    let left = line.failures.len().saturating_sub(shown.len());
-    if left > 0 {
-        shown.push(format!("and {left} levels more"));
+    let groups = failures(line);
+    shown.extend(groups.iter().take(FAILURES).map(failure));
+    let left = groups.iter().skip(FAILURES);
+    match left.map(|(levels, _)| levels.len()).sum() {
+        0 => {}
+        1 => shown.push("and 1 level more".into()),
+        left => shown.push(format!("and {left} levels more")),
     }
     if !line.steady {
         shown.push("two answers to the coarsest level differ".into());
@@ -73,6 +71,17 @@ pub fn row(line: &Line, width: usize, color: bool) -> String {
         }
     }
     text
+}
+
+/// As many bars as there is room for, evenly over the levels and with the finest.
+fn thinned(bars: &str) -> String {
+    let count = bars.chars().count();
+    let every = count.div_ceil(BARS).max(1);
+    let kept = |index: &usize| (count - 1 - index).is_multiple_of(every);
+    let bars = bars.chars().enumerate();
+    bars.filter(|(index, _)| kept(index))
+        .map(|(_, bar)| bar)
+        .collect()
 }
 
 /// What the rows say: the fingerprint, defects by name, a legend, and the summary in the last line.
@@ -109,8 +118,11 @@ pub fn closing(verification: &Verification, width: usize, color: bool) -> String
         let words = format!("{} ({channels})", finding.defect);
         say(&words, "defect: ", Style::Bad);
     }
-    let legend = "✓ confirmed  ✗ contradicted  ? inconclusive  · blind: the case hides the leading error  ! failed";
+    let legend = "✓ confirmed, ✗ contradicted, ? inconclusive, · blind, ! failed";
     say(legend, "", Style::Faint);
+    if verification.counts().blind > 0 {
+        say(BLIND, "", Style::Faint);
+    }
     let style = match verification.conclusion() {
         Conclusion::Confirmed => Style::Good,
         Conclusion::NotConfirmed | Conclusion::CouldNotRun => Style::Bad,

@@ -98,6 +98,25 @@ pub(super) fn bars(line: &Line) -> String {
     sizes.iter().map(bar).collect()
 }
 
+/// The levels without an answer, and why: levels of which the same is to be said stand together.
+pub(super) fn failures(line: &Line) -> Vec<(Vec<u64>, String)> {
+    let mut groups: Vec<(Vec<u64>, String)> = Vec::new();
+    for failure in &line.failures {
+        let why = failure.error.to_string();
+        match groups.last_mut() {
+            Some((levels, last)) if *last == why => levels.push(failure.segments),
+            _ => groups.push((vec![failure.segments], why)),
+        }
+    }
+    groups
+}
+
+/// "n = 8, 16: no answer in 1 s".
+pub(super) fn failure((levels, why): &(Vec<u64>, String)) -> String {
+    let levels: Vec<String> = levels.iter().map(ToString::to_string).collect();
+    format!("n = {}: {why}", levels.join(", "))
+}
+
 /// One sign for what a channel says.
 pub(super) fn sign(standing: Standing) -> char {
     match standing {
