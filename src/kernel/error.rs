@@ -23,7 +23,7 @@ pub enum KernelError {
         stderr: String,
     },
     /// No answer in time.
-    #[error("no {what} in {} s (allowed: up to --timeout){}", after.as_secs_f64(), last_words(stderr))]
+    #[error("no {what} in {} s (allowed: up to {}){}", after.as_secs_f64(), time_out(what), last_words(stderr))]
     TimedOut {
         /// What was waited for: `greeting`, `answer`.
         what: &'static str,
@@ -102,7 +102,7 @@ pub enum KernelError {
         value: f64,
     },
     /// The kernel says that it cannot do it.
-    #[error("the kernel refuses: {reason}")]
+    #[error("the kernel refuses: {}", one_line(reason))]
     Refused {
         /// In its own words.
         reason: String,
@@ -143,6 +143,35 @@ impl KernelError {
             reason: error.to_string(),
         }
     }
+}
+
+/// The option of the command line that says how long is waited.
+fn time_out(what: &str) -> &'static str {
+    match what {
+        "greeting" => "--start-timeout",
+        _ => "--timeout",
+    }
+}
+
+/// Characters of a kernel's own words that are shown.
+const WORDS: usize = 400;
+
+/// A kernel's own words in one line of a terminal, whatever they are.
+fn one_line(words: &str) -> String {
+    let shown = |c: char| if is_plain(c) { c } else { ' ' };
+    let plain: String = words.chars().map(shown).collect();
+    let words: Vec<&str> = plain.split_whitespace().collect();
+    let line = words.join(" ");
+    match line.char_indices().nth(WORDS) {
+        Some((end, _)) => format!("{}…", &line[..end]),
+        None => line,
+    }
+}
+
+/// Neither a control character nor one that turns the direction of a line.
+fn is_plain(c: char) -> bool {
+    !c.is_control()
+        && !matches!(c, '\u{200e}' | '\u{200f}' | '\u{2028}'..='\u{202e}' | '\u{2066}'..='\u{2069}')
 }
 
 /// The end of what a child said on standard error, as a clause.

@@ -54,4 +54,8 @@ pub trait Kernel: Debug + Send {
     fn render_all(&mut self, tasks: &[Task<'_>]) -> Vec<Result<Rendering, KernelError>> {
         tasks.iter().map(|task| self.render(task)).collect()
     }
+
+    /// Forgets failures: what is asked next has nothing to do with what was asked before. One that was given up
+    /// is tried again.
+    fn renew(&mut self) {}
 }

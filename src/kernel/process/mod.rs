@@ -239,4 +239,8 @@ impl Kernel for ProcessKernel {
         };
         tasks.iter().map(&mut result).collect()
     }
+
+    fn renew(&mut self) {
+        self.failures = 0;
+    }
 }

@@ -40,6 +40,13 @@ pub(super) struct Answers {
     again: Option<Result<Rendering, KernelError>>,
 }
 
+impl Answers {
+    /// Whether there is a single one.
+    pub(super) fn are_there(&self) -> bool {
+        self.levels.iter().flatten().any(Result::is_ok)
+    }
+}
+
 impl<'a> Asked<'a> {
     pub(super) fn new(
         subject: &'a Subject,
