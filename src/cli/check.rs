@@ -1,13 +1,13 @@
 //! `volver check`: a kernel compared with what it showed before.
 
 use super::kernel::{KERNELS, KernelArguments, subjects};
-use super::verify::{Table, outcome, settings};
+use super::verify::{Table, outcome};
 use super::{Color, Failure, Outcome, write_out};
 use clap::Args;
 use std::fmt::Write;
-use std::fs;
-use std::path::PathBuf;
-use volver::study::verify::{Baseline, Conclusion};
+use std::io::Read;
+use std::{fs, io};
+use volver::study::verify::{Baseline, BaselineError, Conclusion};
 
 const EXAMPLES: &str = "\
 BASELINE is what 'volver verify --save' wrote: its cases and levels are run again. A
@@ -21,11 +21,12 @@ Examples:
 
 /// Compare a kernel with what it showed before
 #[derive(Args)]
+#[command(override_usage = "volver check [OPTIONS] <BASELINE> <KERNEL> [ARGS]...")]
 #[command(after_help = format!("{KERNELS}\n\n{EXAMPLES}"))]
 pub(crate) struct Check {
-    /// What 'volver verify --save' wrote
+    /// What 'volver verify --save' wrote; - for standard input
     #[arg(value_name = "BASELINE")]
-    baseline: PathBuf,
+    baseline: String,
     #[command(flatten)]
     kernel: KernelArguments,
     /// Print no table
@@ -38,25 +39,18 @@ pub(crate) struct Check {
 
 impl Check {
     pub(crate) fn run(self) -> Result<Outcome, Failure> {
-        let path = self.baseline.display().to_string();
-        let text = fs::read_to_string(&self.baseline).map_err(|error| Failure::Input {
-            path: path.clone(),
-            error,
-        })?;
-        let baseline = Baseline::read(&text).map_err(|error| Failure::Content {
-            path,
+        let wrong = |error: BaselineError| Failure::Content {
+            path: self.baseline.clone(),
             error: error.into(),
-        })?;
-        let mut settings = settings(None)?;
-        baseline.apply(&mut settings);
-        let subjects = subjects(&baseline.cases)?;
-        let mut kernel = self.kernel.start()?;
-        let table = Table {
-            printed: !self.quiet,
-            color: self.color.is_on(),
         };
+        let baseline = Baseline::read(&read(&self.baseline)?).map_err(wrong)?;
+        let settings = baseline.settings().map_err(wrong)?;
+        let subjects = subjects(&baseline.cases, &self.baseline)?;
+        let mut kernel = self.kernel.start()?;
+        let mut table = Table::new(!self.quiet, self.color);
         let verification = table.run(kernel.as_mut(), &subjects, &settings, &self.kernel)?;
         drop(kernel);
+        table.finish()?;
         if verification.conclusion() == Conclusion::CouldNotRun {
             return outcome(&verification, &self.kernel);
         }
@@ -80,4 +74,18 @@ impl Check {
             Outcome::CheckFailed
         })
     }
+}
+
+/// The text of a file, or of standard input.
+fn read(path: &str) -> Result<String, Failure> {
+    let text = if path == "-" {
+        let mut text = String::new();
+        io::stdin().lock().read_to_string(&mut text).map(|_| text)
+    } else {
+        fs::read_to_string(path)
+    };
+    text.map_err(|error| Failure::Input {
+        path: path.into(),
+        error,
+    })
 }

@@ -5,7 +5,7 @@ use clap::Args;
 use std::collections::BTreeSet;
 use std::path::Path;
 use std::time::Duration;
-use volver::case::catalogue;
+use volver::case::{Case, catalogue};
 use volver::kernel::library::LibraryKernel;
 use volver::kernel::process::{self, Options, ProcessKernel};
 use volver::kernel::{BuiltIn, Kernel, Subject};
@@ -17,7 +17,7 @@ pub(super) const KERNELS: &str = "\
 KERNEL is a program with its arguments, which is sent rays as JSON lines
 (docs/protocol.md says how); a shared library, a path that ends in .so, .dylib or
 .dll (include/volver.h); or a method of volver's own, method:NAME[@FORMAT].
-What stands behind KERNEL is the program's.";
+What stands behind KERNEL is the program's: options of volver stand in front of it.";
 
 /// Extensions of shared libraries.
 const LIBRARIES: [&str; 3] = ["so", "dylib", "dll"];
@@ -25,21 +25,15 @@ const LIBRARIES: [&str; 3] = ["so", "dylib", "dll"];
 /// Which kernel, and how long it is waited for.
 #[derive(Args)]
 pub(super) struct KernelArguments {
-    /// Program, shared library, or method:NAME[@FORMAT]
-    #[arg(value_name = "KERNEL")]
-    kernel: String,
-    /// The program's arguments
-    #[arg(
-        value_name = "ARGS",
-        trailing_var_arg = true,
-        allow_hyphen_values = true
-    )]
-    arguments: Vec<String>,
+    // One list, so that all behind KERNEL is the program's, --timeout too.
+    /// Program with its arguments, shared library, or method:NAME[@FORMAT]
+    #[arg(value_name = "KERNEL", required = true, trailing_var_arg = true)]
+    command: Vec<String>,
     /// Seconds that a program may take to an answer
-    #[arg(long, value_name = "SECONDS", default_value_t = 60.0, value_parser = seconds)]
+    #[arg(long, value_name = "SECONDS", default_value_t = 60.0, value_parser = seconds, allow_negative_numbers = true)]
     timeout: f64,
     /// Seconds that a program may take to start
-    #[arg(long, value_name = "SECONDS", default_value_t = 60.0, value_parser = seconds)]
+    #[arg(long, value_name = "SECONDS", default_value_t = 60.0, value_parser = seconds, allow_negative_numbers = true)]
     start_timeout: f64,
 }
 
@@ -48,17 +42,25 @@ fn seconds(text: &str) -> Result<f64, String> {
     let seconds: Option<f64> = text.parse().ok();
     seconds
         .filter(|seconds| (0.001..=604_800.0).contains(seconds))
-        .ok_or_else(|| "allowed: 0.001 to 604800".into())
+        .ok_or_else(|| "no time (allowed: 0.001 to 604800)".into())
 }
 
 impl KernelArguments {
+    fn kernel(&self) -> &str {
+        self.command.first().map_or("", String::as_str)
+    }
+
+    fn arguments(&self) -> &[String] {
+        self.command.get(1..).unwrap_or_default()
+    }
+
     /// Starts it. Whatever ends this process from the keyboard ends the kernel's too.
     pub(super) fn start(&self) -> Result<Box<dyn Kernel>, Failure> {
-        if let Some(method) = self.kernel.strip_prefix("method:") {
+        if let Some(method) = self.kernel().strip_prefix("method:") {
             self.no_arguments("a method")?;
             return built_in(method);
         }
-        let path = Path::new(&self.kernel);
+        let path = Path::new(self.kernel());
         let extension = path.extension().and_then(|extension| extension.to_str());
         if extension.is_some_and(|extension| LIBRARIES.contains(&extension)) {
             self.no_arguments("a library")?;
@@ -76,12 +78,12 @@ impl KernelArguments {
             std::process::exit(130);
         };
         ctrlc::set_handler(handler).map_err(|error| self.failed(error))?;
-        let started = ProcessKernel::start(&self.kernel, &self.arguments, options);
+        let started = ProcessKernel::start(self.kernel(), self.arguments(), options);
         Ok(Box::new(started.map_err(|error| self.failed(error))?))
     }
 
     fn no_arguments(&self, what: &str) -> Result<(), Failure> {
-        match self.arguments.first() {
+        match self.arguments().first() {
             None => Ok(()),
             Some(first) => Err(Failure::Usage(format!(
                 "'{}' behind {what}, which takes no arguments (allowed: options in front of KERNEL)",
@@ -92,14 +94,14 @@ impl KernelArguments {
 
     pub(super) fn failed(&self, error: impl Into<anyhow::Error>) -> Failure {
         Failure::Kernel {
-            kernel: self.kernel.clone(),
+            kernel: self.kernel().escape_debug().to_string(),
             error: error.into(),
         }
     }
 }
 
 fn built_in(name: &str) -> Result<Box<dyn Kernel>, Failure> {
-    let usage = |error: &dyn std::fmt::Display| Failure::Usage(format!("method:{name}: {error}"));
+    let usage = |error: &dyn std::fmt::Display| Failure::Usage(format!("{error}"));
     let (method, format) = name.split_once('@').unwrap_or((name, "f64"));
     // A seed of Monte Carlo stands behind an @ too.
     let (method, format) = match name.rsplit_once('@') {
@@ -111,8 +113,16 @@ fn built_in(name: &str) -> Result<Box<dyn Kernel>, Failure> {
     Ok(Box::new(BuiltIn::new(method, format)))
 }
 
-/// The cases asked for, by names, tags or paths; all of the catalogue where none is.
-pub(super) fn subjects(asked: &[String]) -> Result<Vec<Subject>, Failure> {
+/// The cases asked for, by names, tags or paths; all of the catalogue where none is. `place` is where they are asked
+/// for.
+pub(super) fn subjects(asked: &[String], place: &str) -> Result<Vec<Subject>, Failure> {
+    loaded(asked).map_err(|failure| match failure {
+        Failure::Usage(why) => Failure::Usage(format!("{place}: {why}")),
+        other => other,
+    })
+}
+
+fn loaded(asked: &[String]) -> Result<Vec<Subject>, Failure> {
     let mut arguments: Vec<String> = Vec::new();
     let mut add = |argument: &str| {
         if !arguments.iter().any(|known| known == argument) {
@@ -140,9 +150,17 @@ pub(super) fn subjects(asked: &[String]) -> Result<Vec<Subject>, Failure> {
         let loaded = case::load(argument)?;
         let channels = loaded.cases.into_iter().map(|one| (one.channel, one.case));
         Subject::new(&loaded.description.name, channels.collect())
-            .map_err(|error| Failure::Usage(format!("--cases: {argument}: {error}")))
+            .map_err(|error| Failure::Usage(format!("{argument}: {error}")))
     };
-    arguments.iter().map(subject).collect()
+    let subjects: Vec<Subject> = arguments.iter().map(subject).collect::<Result<_, _>>()?;
+    let mut names = BTreeSet::new();
+    let channels = subjects.iter().flat_map(Subject::cases);
+    match channels.map(Case::name).find(|name| !names.insert(*name)) {
+        None => Ok(subjects),
+        Some(name) => Err(Failure::Usage(format!(
+            "a case '{name}' a second time (allowed: each name once)"
+        ))),
+    }
 }
 
 /// The cases of the catalogue with that tag.
@@ -163,7 +181,7 @@ fn no_tag(asked: &str) -> Failure {
     }
     let tags: Vec<String> = tags.into_iter().collect();
     Failure::Usage(format!(
-        "--cases: no case has the tag '{}' (allowed: {})",
+        "no case has the tag '{}' (allowed: {})",
         asked.trim_start_matches('@').escape_debug(),
         tags.join(", ")
     ))

@@ -6,28 +6,28 @@ use clap::{Args, ValueEnum};
 use rug::Rational;
 use std::path::{Path, PathBuf};
 use std::str::FromStr;
-use volver::convergence::{Ladder, MIN_REPLICAS};
+use volver::convergence::Ladder;
 use volver::kernel::{Kernel, Subject};
 use volver::report::{self, verify as shown};
 use volver::study::verify::{
-    Axis, Baseline, Conclusion, Line, REPLICAS, Settings, Verification, verify,
+    Axis, Baseline, Conclusion, Line, REPLICAS, Settings, SettingsError, Verification, verify,
 };
-use volver::symbolic::parse_number;
 
 const EXAMPLES: &str = "\
 The exit code is 0 where orders are confirmed, nothing contradicts and the values are
 those of the method that the kernel declares; 1 where not; 2 where it could not run.
 
 CASES are names that 'volver cases' lists, NAME/CHANNEL, tags, or paths of case files.
-LADDER is as for 'volver reproduce'. ORDER is a number, 2 or 3/2.
+LADDER is as for 'volver reproduce'. ORDER is 2, 1.5 or 3/2.
 
 Examples:
-  volver verify method:front-to-back/middle/expm1@f32
-  volver verify --cases sine-squared,thick method:trapezoid/trapezoid
-  volver verify --uneven --cases polynomial method:tree/front/expm1 --json -";
+  volver verify method:front-to-back/middle/expm1
+  volver verify --cases sine-squared,thick method:trapezoid/trapezoid@f32
+  volver verify --uneven --cases polynomial --json - method:tree/front/expm1";
 
 /// Put a renderer's kernel to the test
 #[derive(Args)]
+#[command(override_usage = "volver verify [OPTIONS] <KERNEL> [ARGS]...")]
 #[command(after_help = format!("{KERNELS}\n\n{EXAMPLES}"))]
 #[allow(clippy::doc_markdown)] // Help is no Markdown.
 pub(crate) struct Verify {
@@ -46,21 +46,21 @@ pub(crate) struct Verify {
     #[arg(long)]
     uneven: bool,
     /// The order to expect, in place of what the kernel declares
-    #[arg(long, value_name = "ORDER", value_parser = order)]
+    #[arg(long, value_name = "ORDER", value_parser = Settings::order, allow_negative_numbers = true)]
     expect: Option<Rational>,
     /// Seeds a level, for kernels that draw random numbers [default: 30]
-    #[arg(long, value_name = "N", value_parser = replicas)]
+    #[arg(long, value_name = "N", value_parser = replicas, allow_negative_numbers = true)]
     replicas: Option<usize>,
     /// Write one JSON document; - is standard output, without the table
     #[arg(long, value_name = "FILE")]
     json: Option<PathBuf>,
-    /// Write JUnit XML, which CI servers show
+    /// Write JUnit XML, which CI servers show; - as above
     #[arg(long, value_name = "FILE")]
     junit: Option<PathBuf>,
     /// Write the report, as Markdown, JSON and JUnit XML with SVG plots, into a directory
     #[arg(long, value_name = "DIR")]
     out: Option<PathBuf>,
-    /// Keep what came out, for 'volver check'
+    /// Keep what came out, for 'volver check'; - as above
     #[arg(long, value_name = "FILE")]
     save: Option<PathBuf>,
     /// Print no table
@@ -78,22 +78,12 @@ enum RefinedAxis {
     Grid,
 }
 
-fn order(text: &str) -> Result<Rational, String> {
-    let order = parse_number(text).ok();
-    order
-        .filter(|order| *order > 0 && *order <= 100)
-        .ok_or_else(|| "allowed: a number above 0 and up to 100, such as 2, 1.5 or 3/2".into())
-}
-
-fn replicas(text: &str) -> Result<usize, String> {
-    let count: Option<usize> = text.parse().ok();
-    count
-        .filter(|count| (MIN_REPLICAS..=10_000).contains(count))
-        .ok_or_else(|| format!("allowed: {MIN_REPLICAS} to 10000"))
+fn replicas(text: &str) -> Result<usize, SettingsError> {
+    Settings::replicas(text.parse().unwrap_or(0))
 }
 
 /// A ladder as settings, or why not.
-pub(super) fn settings(ladder: Option<&Ladder>) -> Result<Settings, Failure> {
+fn settings(ladder: Option<&Ladder>) -> Result<Settings, Failure> {
     let settings = match ladder {
         None => Settings::standard(),
         Some(ladder) => Settings::new(ladder),
@@ -103,6 +93,7 @@ pub(super) fn settings(ladder: Option<&Ladder>) -> Result<Settings, Failure> {
 
 impl Verify {
     pub(crate) fn run(self) -> Result<Outcome, Failure> {
+        let is_alone = self.check_outputs()?;
         let mut settings = settings(self.ladder.as_ref())?;
         settings.axis = match self.axis {
             RefinedAxis::Step => Axis::Step,
@@ -111,44 +102,64 @@ impl Verify {
         settings.uneven = self.uneven;
         settings.expect.clone_from(&self.expect);
         settings.replicas = self.replicas.unwrap_or(REPLICAS);
-        let subjects = subjects(&self.cases)?;
+        let subjects = subjects(&self.cases, "--cases")?;
         if let Some(directory) = &self.out {
             report::prepare_directory(directory)?;
         }
-        let files = [&self.json, &self.junit, &self.save];
-        for file in files.into_iter().flatten().filter(|file| !is_dash(file)) {
+        let files = self.outputs().into_iter();
+        for (_, file) in files.filter(|(_, file)| !is_dash(file)) {
             report::check_file(file)?;
         }
         let mut kernel = self.kernel.start()?;
-        let table = Table {
-            printed: !self.quiet && !self.json.as_deref().is_some_and(is_dash),
-            color: self.color.is_on(),
-        };
+        let mut table = Table::new(!self.quiet && is_alone, self.color);
         let verification = table.run(kernel.as_mut(), &subjects, &settings, &self.kernel)?;
         // The child is gone before the last word.
         drop(kernel);
         self.hand_out(&verification)?;
+        table.finish()?;
         outcome(&verification, &self.kernel)
+    }
+
+    /// The files asked for, with their options.
+    fn outputs(&self) -> Vec<(&'static str, &Path)> {
+        let all = [
+            ("--json", &self.json),
+            ("--junit", &self.junit),
+            ("--save", &self.save),
+        ];
+        let given = all.into_iter();
+        given
+            .filter_map(|(option, file)| Some((option, file.as_deref()?)))
+            .collect()
+    }
+
+    /// Whether standard output is free for the table: it is for one thing at a time.
+    fn check_outputs(&self) -> Result<bool, Failure> {
+        let outputs = self.outputs().into_iter();
+        let printed: Vec<&str> = outputs
+            .filter(|(_, file)| is_dash(file))
+            .map(|(option, _)| option)
+            .collect();
+        match printed[..] {
+            [first, second, ..] => Err(Failure::Usage(format!(
+                "'{first} -' and '{second} -' both go to standard output (allowed: one of them)"
+            ))),
+            _ => Ok(printed.is_empty()),
+        }
     }
 
     fn hand_out(&self, verification: &Verification) -> Result<(), Failure> {
         if let Some(directory) = &self.out {
             shown::write(directory, verification)?;
         }
-        if let Some(file) = &self.save {
-            let baseline = Baseline::new(verification, &self.cases);
-            let json = baseline.to_json().map_err(|e| Failure::Output(e.into()))?;
-            report::write_file(file, &json)?;
-        }
-        let json = match &self.json {
-            Some(file) => Some((file, shown::json(verification)?)),
-            None => None,
-        };
-        let junit = self
-            .junit
-            .as_ref()
-            .map(|file| (file, shown::junit(verification)));
-        for (file, text) in json.into_iter().chain(junit) {
+        for (option, file) in self.outputs() {
+            let text = match option {
+                "--json" => shown::json(verification)?,
+                "--junit" => shown::junit(verification),
+                _ => Baseline::new(verification, &self.cases)
+                    .to_json()
+                    .map_err(|error| Failure::Output(error.into()))?,
+            };
             if is_dash(file) {
                 write_out(&text)?;
             } else {
@@ -161,38 +172,54 @@ impl Verify {
 
 /// Where rows go as they come.
 pub(super) struct Table {
-    pub(super) printed: bool,
-    pub(super) color: bool,
+    printed: bool,
+    color: bool,
+    /// The first write that failed; nothing is written after it.
+    failed: Option<Failure>,
 }
 
 impl Table {
+    pub(super) fn new(printed: bool, color: Color) -> Self {
+        Table {
+            printed,
+            color: color.is_on(),
+            failed: None,
+        }
+    }
+
+    /// Whether all that was to be shown was.
+    pub(super) fn finish(self) -> Result<(), Failure> {
+        self.failed.map_or(Ok(()), Err)
+    }
+
+    fn print(&mut self, text: &str) {
+        if self.printed && self.failed.is_none() {
+            self.failed = write_out(text).err();
+        }
+    }
+
     /// Runs the kernel, a row a channel.
     pub(super) fn run(
-        &self,
+        &mut self,
         kernel: &mut dyn Kernel,
         subjects: &[Subject],
         settings: &Settings,
         named: &KernelArguments,
     ) -> Result<Verification, Failure> {
-        let mut failed = None;
-        let mut print = |text: &str| {
-            if self.printed && failed.is_none() {
-                failed = write_out(text).err();
-            }
-        };
-        print(&shown::heading(self.color));
         let work = settings.work(subjects, kernel.declaration());
         let bar = Bar::new(work);
         let (width, color) = (width(), self.color);
-        let mut row = |line: &Line| bar.above(|| print(&shown::row(line, width, color)));
+        // Above the first row: what cannot be tested has no table.
+        let mut heading = shown::heading(color);
+        let mut row = |line: &Line| {
+            let text = std::mem::take(&mut heading) + &shown::row(line, width, color);
+            bar.above(|| self.print(&text));
+        };
         let verification = verify(kernel, subjects, settings, &bar, &mut row);
         bar.finish();
         let verification = verification.map_err(|error| named.failed(error))?;
-        print(&shown::closing(&verification, width, color));
-        match failed {
-            Some(failure) => Err(failure),
-            None => Ok(verification),
-        }
+        self.print(&shown::closing(&verification, width, color));
+        Ok(verification)
     }
 }
 

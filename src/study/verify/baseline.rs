@@ -1,7 +1,9 @@
 //! What a kernel showed once, to compare with what it shows now.
 
-use super::{Axis, Conclusion, Line, Settings, Verification};
+use super::{Axis, Conclusion, Line, Settings, SettingsError, Standing, Verification};
+use crate::convergence::Ladder;
 use serde::{Deserialize, Serialize};
+use std::collections::BTreeSet;
 use std::fmt;
 
 /// The version of the file.
@@ -25,6 +27,8 @@ pub struct Baseline {
     pub uneven: bool,
     /// The order expected in place of the declared one.
     pub expect: Option<String>,
+    /// Seeds a level, for kernels that draw random numbers.
+    pub replicas: usize,
     /// What the values were found to be; `None` where nothing was found.
     pub fingerprint: Option<String>,
     /// One a channel.
@@ -48,7 +52,7 @@ pub struct BaselineLine {
 }
 
 /// A baseline that cannot be used.
-#[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
+#[derive(Clone, Debug, PartialEq, thiserror::Error)]
 pub enum BaselineError {
     /// No JSON of a baseline.
     #[error("no baseline: {reason} (allowed: what 'volver verify --save' writes)")]
@@ -60,8 +64,31 @@ pub enum BaselineError {
     #[error("a baseline of version {found} (allowed: {VERSION})")]
     Version {
         /// Its version.
-        found: u32,
+        found: u64,
     },
+    /// Levels, an order or a number of seeds that no kernel can be tested with.
+    #[error("'{key}': {error}")]
+    Settings {
+        /// Where.
+        key: &'static str,
+        /// Why.
+        error: SettingsError,
+    },
+    /// A channel that no kernel shows.
+    #[error("'lines', '{}': {problem}", name.escape_debug())]
+    Line {
+        /// The channel's name.
+        name: String,
+        /// What is wrong, and what is allowed.
+        problem: &'static str,
+    },
+}
+
+/// Enough of a file to know its version: another one may have other keys.
+#[derive(Deserialize)]
+#[serde(expecting = "a baseline")]
+struct Versioned {
+    volver_baseline: u64,
 }
 
 /// What has moved.
@@ -104,6 +131,7 @@ impl Baseline {
             grid: settings.axis == Axis::Grid,
             uneven: settings.uneven,
             expect: settings.expect.as_ref().map(ToString::to_string),
+            replicas: settings.replicas,
             fingerprint: best.map(|best| best.model.to_string()),
             lines: verification.lines.iter().map(BaselineLine::new).collect(),
         }
@@ -114,14 +142,35 @@ impl Baseline {
     /// # Errors
     /// [`BaselineError`] where the text is none.
     pub fn read(text: &str) -> Result<Self, BaselineError> {
-        let baseline: Baseline =
-            serde_json::from_str(text).map_err(|error| BaselineError::Format {
-                reason: error.to_string(),
-            })?;
-        if baseline.volver_baseline != VERSION {
+        let format = |error: serde_json::Error| BaselineError::Format {
+            reason: one_line(&error.to_string()),
+        };
+        let version: Versioned = serde_json::from_str(text).map_err(format)?;
+        if version.volver_baseline != u64::from(VERSION) {
             return Err(BaselineError::Version {
-                found: baseline.volver_baseline,
+                found: version.volver_baseline,
             });
+        }
+        let baseline: Baseline = serde_json::from_str(text).map_err(format)?;
+        baseline.settings()?;
+        let fingerprint = baseline.fingerprint.as_deref().unwrap_or_default();
+        if fingerprint.chars().any(char::is_control) {
+            return Err(BaselineError::Format {
+                reason: "a control character in 'fingerprint'".into(),
+            });
+        }
+        let mut names = BTreeSet::new();
+        for line in &baseline.lines {
+            let problem = line.problem().or_else(|| {
+                let again = !names.insert(&line.name);
+                again.then_some("a second time (allowed: each channel once)")
+            });
+            if let Some(problem) = problem {
+                return Err(BaselineError::Line {
+                    name: line.name.clone(),
+                    problem,
+                });
+            }
         }
         Ok(baseline)
     }
@@ -135,11 +184,21 @@ impl Baseline {
     }
 
     /// The same settings once more.
-    pub fn apply(&self, settings: &mut Settings) {
-        settings.ladder.clone_from(&self.ladder);
-        settings.axis = if self.grid { Axis::Grid } else { Axis::Step };
-        settings.uneven = self.uneven;
-        settings.expect = self.expect.as_ref().and_then(|text| text.parse().ok());
+    ///
+    /// # Errors
+    /// [`BaselineError::Settings`] where somebody has edited them.
+    pub fn settings(&self) -> Result<Settings, BaselineError> {
+        let wrong = |key| move |error| BaselineError::Settings { key, error };
+        let ladder = Ladder::segments(self.ladder.clone()).map_err(SettingsError::from);
+        let ladder = ladder.and_then(|ladder| Settings::new(&ladder));
+        let expect = self.expect.as_deref().map(Settings::order).transpose();
+        Ok(Settings {
+            axis: if self.grid { Axis::Grid } else { Axis::Step },
+            uneven: self.uneven,
+            expect: expect.map_err(wrong("expect"))?,
+            replicas: Settings::replicas(self.replicas).map_err(wrong("replicas"))?,
+            ..ladder.map_err(wrong("ladder"))?
+        })
     }
 
     /// What has moved since.
@@ -187,6 +246,18 @@ impl Baseline {
     }
 }
 
+/// Keys of a file are repeated in messages as they are: line feeds must not be.
+fn one_line(text: &str) -> String {
+    let shown = |c: char| {
+        if c.is_control() {
+            c.escape_debug().to_string()
+        } else {
+            c.to_string()
+        }
+    };
+    text.chars().map(shown).collect()
+}
+
 impl BaselineLine {
     fn new(line: &Line) -> Self {
         let order = line.measured.order();
@@ -197,6 +268,30 @@ impl BaselineLine {
             order: order.map(|(order, _)| order),
             half_width: order.map(|(_, half_width)| half_width),
         }
+    }
+
+    /// Why no kernel shows this.
+    fn problem(&self) -> Option<&'static str> {
+        let standings = [
+            Standing::Confirmed,
+            Standing::Contradicted,
+            Standing::Inconclusive,
+            Standing::Blind,
+            Standing::Failed,
+        ];
+        if [&self.name, &self.verdict]
+            .iter()
+            .any(|text| text.chars().any(char::is_control))
+        {
+            return Some("a control character (allowed: text in one line)");
+        }
+        if !standings.iter().any(|one| one.name() == self.standing) {
+            return Some(
+                "unknown standing (allowed: confirmed, contradicted, inconclusive, blind, failed)",
+            );
+        }
+        let negative = self.half_width.is_some_and(|half_width| half_width < 0.0);
+        negative.then_some("half_width below 0 (allowed: 0 or above)")
     }
 
     fn shown(&self) -> String {

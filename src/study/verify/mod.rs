@@ -13,7 +13,9 @@ mod truth;
 pub use baseline::{Baseline, BaselineError, BaselineLine, Moved};
 pub use explain::Finding;
 pub use line::{Failure, Line, Measured};
-pub use settings::{Axis, GRID_SEGMENTS, REPLICAS, Settings, SettingsError, TABLE_ENTRIES};
+pub use settings::{
+    Axis, GRID_SEGMENTS, MAX_REPLICAS, REPLICAS, Settings, SettingsError, TABLE_ENTRIES,
+};
 pub use standing::{Counts, Standing};
 
 use super::Progress;

@@ -2,6 +2,7 @@
 
 use crate::convergence::{Ladder, LadderError, MIN_REPLICAS};
 use crate::kernel::{Cut, Declaration, MAX_TASK_SEGMENTS, Subject};
+use crate::symbolic::parse_number;
 use rug::Rational;
 
 /// Entries of the tables of transfer functions: so many that the kinks between them do not show.
@@ -10,6 +11,12 @@ pub const TABLE_ENTRIES: usize = 1024;
 pub const GRID_SEGMENTS: u64 = 4096;
 /// Seeds a level of a kernel that draws random numbers.
 pub const REPLICAS: usize = 30;
+/// Most seeds a level.
+pub const MAX_REPLICAS: usize = 10_000;
+/// Finer ladders have no room for uneven steps.
+const MAX_LEVEL: u64 = MAX_TASK_SEGMENTS / 2;
+/// The lowest order that can be expected, as 1/100, and the highest.
+const ORDERS: ((u32, u32), u32) = ((1, 100), 100);
 /// With uneven steps, d is that part of D/n: it divides no ray.
 const UNEVEN: (u32, u32) = (7, 8);
 
@@ -46,17 +53,17 @@ pub enum SettingsError {
     #[error("a ladder of steps (allowed: numbers of segments)")]
     Steps,
     /// A level that no task can have.
-    #[error("{n} segments (allowed: 1 to {MAX_TASK_SEGMENTS})")]
+    #[error("{n} segments (allowed: 1 to {MAX_LEVEL})")]
     TooFine {
         /// How many.
         n: u64,
     },
-    /// Too few replicas.
-    #[error("{replicas} replicas (allowed: {MIN_REPLICAS} or more)")]
-    Replicas {
-        /// How many.
-        replicas: usize,
-    },
+    /// Too few or too many replicas.
+    #[error("no number of seeds (allowed: {MIN_REPLICAS} to {MAX_REPLICAS})")]
+    Replicas,
+    /// No order.
+    #[error("no order (allowed: 0.01 to 100, as 2, 1.5 or 3/2)")]
+    Order,
     /// A ladder that is none.
     #[error(transparent)]
     Ladder(#[from] LadderError),
@@ -77,7 +84,7 @@ impl Settings {
     /// [`SettingsError`] where the ladder is one of steps, or too fine.
     pub fn new(ladder: &Ladder) -> Result<Self, SettingsError> {
         let ladder = ladder.as_segments().ok_or(SettingsError::Steps)?.to_vec();
-        if let Some(&n) = ladder.iter().find(|n| **n > MAX_TASK_SEGMENTS / 2) {
+        if let Some(&n) = ladder.iter().find(|n| **n > MAX_LEVEL) {
             return Err(SettingsError::TooFine { n });
         }
         Ok(Settings {
@@ -88,6 +95,28 @@ impl Settings {
             entries: TABLE_ENTRIES,
             replicas: REPLICAS,
         })
+    }
+
+    /// An order to expect, as text has it: a decimal or a quotient.
+    ///
+    /// # Errors
+    /// [`SettingsError::Order`].
+    pub fn order(text: &str) -> Result<Rational, SettingsError> {
+        let (least, most) = ORDERS;
+        let order = parse_number(text).ok();
+        order
+            .filter(|order| *order >= Rational::from(least) && *order <= most)
+            .ok_or(SettingsError::Order)
+    }
+
+    /// A number of seeds a level.
+    ///
+    /// # Errors
+    /// [`SettingsError::Replicas`].
+    pub fn replicas(count: usize) -> Result<usize, SettingsError> {
+        let allowed = MIN_REPLICAS..=MAX_REPLICAS;
+        let count = Some(count).filter(|count| allowed.contains(count));
+        count.ok_or(SettingsError::Replicas)
     }
 
     /// Segments that a kernel renders in all: the units that progress is counted in.
@@ -104,7 +133,9 @@ impl Settings {
                 .map(move |cut| (cut, subject))
         });
         let segments = cuts.filter_map(|(cut, subject)| cut.on(subject.length()).ok());
-        segments.map(|(_, count)| count * seeds).sum()
+        segments
+            .map(|(_, count)| count.saturating_mul(seeds))
+            .fold(0, u64::saturating_add)
     }
 
     /// How a ray of that length is cut at every level.
