@@ -1,0 +1,14 @@
+//! `volver verify` and `volver check` keep their contract, whatever kernel they are given.
+
+#![allow(clippy::unwrap_used)] // A test may stop.
+#![cfg(unix)]
+
+mod baseline;
+mod help;
+mod kernels;
+mod outputs;
+mod promises;
+mod run;
+mod signals;
+mod trouble;
+mod usage;
