@@ -100,6 +100,33 @@ const SINGLE: &[Mutant] = &[
     (FRONT, &[Jittered], &["jittered samples"]),
 ];
 
+/// What no list of usual values has.
+const UNUSUAL: &[Mutant] = &[
+    (FRONT, &[SkipUnder(3e-3)], &["skipped where"]),
+    (
+        FRONT,
+        &[StopUnder(0.07)],
+        &["ended at a transmittance of 0.07"],
+    ),
+    (FRONT, &[Bits(9)], &["accumulator of 9 bits"]),
+    (FRONT, &[WrongReference(1.1)], &["1 - exp(-1.1·τd)"]),
+    (
+        FRONT,
+        &[Uncorrected(0.37)],
+        &["1 - exp(-τ·0.37), not corrected"],
+    ),
+    (
+        FRONT,
+        &[FirstDropped, LastDropped],
+        &["first sample missing, last sample missing"],
+    ),
+    (
+        FRONT,
+        &[FirstDoubled, LastDropped],
+        &["first sample counted twice, last sample missing"],
+    ),
+];
+
 const DOUBLE: &[Mutant] = &[
     (
         FRONT,
@@ -207,7 +234,7 @@ fn alike(verification: &Verification) -> Vec<Model> {
 #[test]
 fn seeded_defects_are_flagged_and_named() {
     let subjects = subjects();
-    let mutants: Vec<&Mutant> = SINGLE.iter().chain(DOUBLE).collect();
+    let mutants: Vec<&Mutant> = SINGLE.iter().chain(UNUSUAL).chain(DOUBLE).collect();
     assert!(mutants.len() >= 40);
     let mut named = 0;
     for (method, faults, words) in &mutants {

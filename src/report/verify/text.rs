@@ -1,18 +1,19 @@
 //! For a terminal: rows as they come, then what they say.
 
 use super::words::{
-    NONE, bars, conclusion, failure, failures, fingerprint, order, sign, theory, window,
+    NONE, bars, conclusion, failure, failures, fingerprint, floor, order, sign, theory, window,
 };
 use crate::report::text::{MIN_WIDTH, Style, paint, wrap};
 use crate::study::verify::{Conclusion, Line, Standing, Verification};
 use std::fmt::Write;
 
-/// Columns and their widths: with the longest verdict behind them they fill 80 columns. Floors stand in the document.
+/// Columns and their widths: with the longest verdict behind them they fill 80 columns.
 const NAME: usize = 22;
 const THEORY: usize = 5;
-const ORDER: usize = 13;
-const WINDOW: usize = 9;
-const BARS: usize = 11;
+const ORDER: usize = 11;
+const WINDOW: usize = 8;
+const FLOOR: usize = 5;
+const BARS: usize = 8;
 /// What blind is.
 const BLIND: &str = "blind: the case hides the leading error of what was declared";
 /// Failures shown of one channel.
@@ -21,24 +22,27 @@ const FAILURES: usize = 2;
 /// The names of the columns, above the first [`row`].
 #[must_use]
 pub fn heading(color: bool) -> String {
-    let columns = columns(["case", "order", "measured", "window", "errors"]);
+    let columns = columns(["case", "order", "measured", "window", "floor", "errors"]);
     let head = format!("  {columns} verdict");
     paint(&head, Style::Faint, color) + "\n"
 }
 
-fn columns([name, theory, order, window, errors]: [&str; 5]) -> String {
-    format!("{name:<NAME$} {theory:<THEORY$} {order:<ORDER$} {window:<WINDOW$} {errors:<BARS$}")
+fn columns([name, theory, order, window, floor, errors]: [&str; 6]) -> String {
+    format!(
+        "{name:<NAME$} {theory:<THEORY$} {order:<ORDER$} {window:<WINDOW$} {floor:<FLOOR$} {errors:<BARS$}"
+    )
 }
 
-/// One channel: the order promised and measured, the window, the errors as bars, the verdict; failures below.
+/// One channel: the order promised and measured, the window, the floor, the errors as bars, the verdict; failures below.
 #[must_use]
 pub fn row(line: &Line, width: usize, color: bool) -> String {
-    let measured = order(line);
+    let measured = order(line).replace(" ± ", "±");
     let columns = columns([
         &line.name,
         &theory(line.expected),
         &measured,
         &window(line),
+        &floor(line),
         &thinned(&bars(line)),
     ]);
     let style = style(line.standing);

@@ -34,7 +34,7 @@ pub(super) fn order(line: &Line) -> String {
     }
 }
 
-/// The levels of the window: "64…512", or steps where n is not known.
+/// The levels of the window: "64…512", or which of the levels they are where n is not the same thing: "#3…#8".
 pub(super) fn window(line: &Line) -> String {
     let Measured::Fitted { fit, samples } = &line.measured else {
         return NONE.into();
@@ -43,7 +43,7 @@ pub(super) fn window(line: &Line) -> String {
         let sample = samples.get(index)?;
         Some(match sample.n {
             Some(n) => n.to_string(),
-            None => format!("{:.1e}", sample.step),
+            None => format!("#{}", index + 1),
         })
     };
     let ends = fit
