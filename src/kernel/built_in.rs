@@ -2,7 +2,7 @@
 
 use super::{Declaration, FormKind, Kernel, KernelError, Rendering, Task};
 use crate::case::{Fresh, SymbolicCase};
-use crate::method::{Method, MethodError};
+use crate::method::{Inner, Method, MethodError, Nested};
 use crate::real::{Format, FormatName, Real, WithFormat};
 use rug::{Float, Rational};
 
@@ -25,7 +25,7 @@ impl BuiltIn {
             form: FormKind::Function,
             method: Some(method),
             format,
-            stochastic: false,
+            stochastic: is_random(&method),
             ..Declaration::new(&format!("method:{}@{format}", method.name()))
         };
         BuiltIn {
@@ -52,7 +52,8 @@ impl Kernel for BuiltIn {
     fn render(&mut self, task: &Task<'_>) -> Result<Rendering, KernelError> {
         let format = self.declaration.format;
         let segments = self.suitable(task.segments);
-        let run = |case| radiance_in(format, &self.method, case, segments);
+        let method = seeded(self.method, task.seed);
+        let run = |case| radiance_in(format, &method, case, segments);
         let radiance: Result<Vec<Float>, MethodError> =
             task.subject.cases().iter().map(run).collect();
         let used = Rational::from(task.subject.length() / segments).to_f64();
@@ -62,6 +63,26 @@ impl Kernel for BuiltIn {
             ..Rendering::default()
         })
     }
+}
+
+fn is_random(method: &Method) -> bool {
+    matches!(
+        method,
+        Method::Nested(Nested {
+            inner: Inner::MonteCarlo { .. },
+            ..
+        })
+    )
+}
+
+/// The method with random numbers of that seed; seed 0 has its own.
+fn seeded(mut method: Method, of_task: u64) -> Method {
+    if let Method::Nested(nested) = &mut method
+        && let Inner::MonteCarlo { seed, .. } = &mut nested.inner
+    {
+        *seed = seed.wrapping_add(of_task);
+    }
+    method
 }
 
 /// The radiance of a case by a method on n segments, in a format known only at run time.

@@ -121,3 +121,23 @@ fn closures_are_kernels_of_the_form_they_declare() {
         Err(KernelError::Form { given, wanted })
     );
 }
+
+#[test]
+fn monte_carlo_draws_by_the_seed_of_the_task() {
+    let subject = subject("sine-squared");
+    let mut kernel = BuiltIn::new("monte-carlo@5/trapezoid".parse().unwrap(), FormatName::F64);
+    assert!(kernel.declaration().stochastic);
+    let mut render = |seed| {
+        let task = Task {
+            subject: &subject,
+            step: 0.125,
+            segments: 8,
+            seed,
+            data: Data::Function,
+        };
+        kernel.render(&task).unwrap().radiance
+    };
+    let (first, second) = (render(0), render(1));
+    assert_ne!(first, second);
+    assert_eq!(render(0), first);
+}
