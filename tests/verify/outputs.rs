@@ -163,6 +163,15 @@ fn everything_fits_80_columns() {
         let failed = fixture(&["--timeout", "0.3"], &["--trouble", trouble, "--at", "64"]);
         assert_fits(&failed.with_code(1));
     }
+    let uneven = fixture(&["--uneven"], &[]);
+    // Windows are of levels there, and columns stay where they are.
+    assert!(uneven.row("thick").contains("…#"), "{}", uneven.out);
+    for case in ["sine-squared", "thick", "cloud"] {
+        let columns: Vec<char> = uneven.row(case).chars().collect();
+        let verdict = (columns[66], columns[67].is_uppercase());
+        assert_eq!(verdict, (' ', true), "{}", uneven.out);
+    }
+    assert_fits(&uneven);
     assert_fits(&fixture(&[], &["--unsteady"]));
     assert_fits(&fixture(&[], &["--drop-last"]));
 }

@@ -25,3 +25,11 @@ fn an_order_that_is_declared_is_tested() {
     let run = fixture(&[], &["--declare", r#"{"order":3}"#]).with_code(1);
     run.shows("not confirmed: 0 confirmed, 3 contradicted");
 }
+
+#[test]
+fn orders_of_many_digits_stay_in_their_column() {
+    let run = fixture(&["--expect", "4/3"], &[]);
+    assert!(run.row("thick").contains(" 1.333 "), "{}", run.out);
+    let run = fixture(&[], &["--declare", r#"{"order":1e300}"#]).with_code(1);
+    assert!(run.row("thick").contains(" 1e300 "), "{}", run.out);
+}

@@ -13,10 +13,19 @@ const BARS: [char; 8] = ['▁', '▂', '▃', '▄', '▅', '▆', '▇', '█']
 /// "2", "exact", "blind"; "-" where nothing is promised.
 pub(super) fn theory(expected: Option<Expected>) -> String {
     match expected {
-        Some(Expected::Order(order)) => format!("{order}"),
+        Some(Expected::Order(order)) => short(order),
         Some(Expected::Exact) => "exact".into(),
         Some(Expected::Blind { .. }) => "blind".into(),
         Some(Expected::Unknown) | None => NONE.into(),
+    }
+}
+
+/// "2", "1.5", "1.333": in the room of a column, whatever a kernel claims.
+fn short(order: f64) -> String {
+    if (0.001..1e5).contains(&order) {
+        format!("{}", (order * 1000.0).round() / 1000.0)
+    } else {
+        format!("{order:.0e}")
     }
 }
 
