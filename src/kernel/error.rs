@@ -1,6 +1,6 @@
 //! Why no radiance came of a task.
 
-use super::FormKind;
+use super::{FormKind, MAX_TASK_SEGMENTS};
 use std::time::Duration;
 
 /// A kernel that did not answer, or answered what is no answer.
@@ -94,7 +94,9 @@ pub enum KernelError {
         wanted: usize,
     },
     /// What it says it used is not possible.
-    #[error("a {what} of {value} really used (allowed: above 0, and whole for a number)")]
+    #[error(
+        "a {what} of {value} really used (allowed: above 0, whole for a number, and up to {MAX_TASK_SEGMENTS} segments)"
+    )]
     Used {
         /// `step` or `number of segments`.
         what: &'static str,

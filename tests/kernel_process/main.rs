@@ -288,11 +288,11 @@ fn results_that_cannot_be_are_refused_one_by_one() {
         ),
         (
             "step-zero",
-            "a step of 0 really used (allowed: above 0, and whole for a number)",
+            "a step of 0 really used (allowed: above 0, whole for a number, and up to 1048576 segments)",
         ),
         (
             "half-a-segment",
-            "a number of segments of 0.5 really used (allowed: above 0, and whole for a number)",
+            "a number of segments of 0.5 really used (allowed: above 0, whole for a number, and up to 1048576 segments)",
         ),
         ("refuses", "the kernel refuses: no such case"),
     ] {

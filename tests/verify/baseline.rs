@@ -1,6 +1,6 @@
 //! Baselines: what has moved, and files that are none.
 
-use crate::run::{METHOD, Run, command, verify, volver};
+use crate::run::{METHOD, Marked, Run, command, verify, volver};
 use serde_json::{Value, json};
 use std::fs;
 use std::path::PathBuf;
@@ -150,6 +150,35 @@ fn a_kernel_that_cannot_run_is_no_comparison() {
     let saved = Saved::of(METHOD);
     let run = saved.check("no-such-program").with_code(2);
     assert_eq!(run.out, "");
+    let file = saved.file();
+    let check = ["check", "--quiet", "--timeout", "5", file.to_str().unwrap()];
+    let marked = Marked::new();
+    let with = |options: &[&str]| {
+        let kernel = marked.kernel(options);
+        let kernel: Vec<&str> = kernel.iter().map(String::as_str).collect();
+        let run = volver(&[&check[..], &kernel].concat());
+        marked.assert_gone();
+        run
+    };
+    let run = with(&["--trouble", "dies"]).with_code(2);
+    assert_eq!(run.out, "");
+    assert!(
+        run.err
+            .starts_with("volver: python3: the kernel was killed by signal 11")
+    );
+    // One case that fails has moved.
+    let run = with(&["--trouble", "dies", "--case", "thick"]).with_code(1);
+    assert!(
+        run.out.starts_with("moved: thick: confirmed ("),
+        "{}",
+        run.out
+    );
+    assert!(
+        run.out.ends_with(" → failed (TooFewLevels)\n1 moved\n"),
+        "{}",
+        run.out
+    );
+    assert_eq!(with(&[]).with_code(0).out, "nothing has moved\n");
 }
 
 /// One line on standard error, nothing on standard output.

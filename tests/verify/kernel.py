@@ -1,6 +1,6 @@
 """A renderer that composites front to back, and is wrong or misbehaves as it is told.
 
-    kernel.py [--declare JSON] [--sampling front|middle] [--drop-last] [--unsteady]
+    kernel.py [--declare JSON] [--sampling front|middle] [--drop-last] [--unsteady] [--claim JSON]
               [--trouble WHAT [--at N] [--case NAME] [--sign FILE]]
 
 --marker TEXT is for tests to find its process by; FILE is made when it misbehaves.
@@ -22,6 +22,7 @@ parser.add_argument("--declare", type=json.loads, default={"method": "front-to-b
 parser.add_argument("--sampling", choices=["front", "middle"], default="middle")
 parser.add_argument("--drop-last", action="store_true")
 parser.add_argument("--unsteady", action="store_true")
+parser.add_argument("--claim", type=json.loads, default={})
 parser.add_argument("--trouble", default="none")
 parser.add_argument("--at", type=int)
 parser.add_argument("--case")
@@ -70,7 +71,7 @@ def is_cue(task):
 
 
 def answer(request, shift=0):
-    results = [{"radiance": radiance(task)} for task in request["tasks"]]
+    results = [{"radiance": radiance(task), **(options.claim if is_cue(task) else {})} for task in request["tasks"]]
     if trouble == "nan" and any(is_cue(task) for task in request["tasks"]):
         results = [{"radiance": ["nan" for _ in task["channels"]]} for task in request["tasks"]]
     send(json.dumps({"type": "radiance", "id": request["id"] + shift, "results": results}) + "\n")

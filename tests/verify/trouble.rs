@@ -265,3 +265,29 @@ fn what_it_says_stays_text_in_every_report() {
     );
     assert!(!markdown.contains('\u{1b}'));
 }
+
+#[test]
+fn what_it_claims_to_have_used_is_believed_where_it_can_be() {
+    for (claim, words) in [
+        (
+            r#"{"segments":1048577}"#,
+            "a number of segments of 1048577 really used (allowed: ",
+        ),
+        (
+            r#"{"step":1e-9}"#,
+            "a step of 0.000000001 really used (allowed: ",
+        ),
+        (r#"{"step":1e-300}"#, " really used (allowed: "),
+    ] {
+        let (run, document) = run(&["--claim", claim, "--case", "thick"]);
+        let run = run.with_code(1);
+        assert_not_confirmed(&run, &document, "not confirmed");
+        run.shows(words);
+        for (case, row) in [("sine-squared", "✓ "), ("thick", "! "), ("cloud", "✓ ")] {
+            assert!(run.row(case).starts_with(row), "{claim}\n{}", run.out);
+        }
+    }
+    // The same number at every level: nothing was refined.
+    let (run, _) = run(&["--claim", r#"{"segments":32}"#, "--case", "thick"]);
+    assert!(run.row("thick").ends_with("TooFewLevels"), "{}", run.out);
+}

@@ -1,6 +1,7 @@
 //! What a kernel is asked on one case.
 
 mod answered;
+mod floor;
 mod used;
 
 use super::{Axis, Settings, VerifyError};
@@ -112,9 +113,11 @@ impl<'a> Asked<'a> {
                 .map(|seed| self.task(level, seed))
                 .collect();
             let answers = kernel.render_all(&tasks);
-            levels.push(answers.into_iter().map(|one| self.checked(one)).collect());
+            let checked = answers.into_iter().map(|one| self.checked(level, one));
+            levels.push(checked.collect());
             if index == 0 && !stochastic {
-                again = Some(self.checked(kernel.render(&self.task(level, OTHER_SEED))));
+                let answer = kernel.render(&self.task(level, OTHER_SEED));
+                again = Some(self.checked(level, answer));
             }
             progress.advance(level.count * seeds as u64);
         }
@@ -138,21 +141,24 @@ impl<'a> Asked<'a> {
     }
 
     /// An answer with a radiance for every channel, of a ray that can be.
-    fn checked(&self, answer: Result<Rendering, KernelError>) -> Result<Rendering, KernelError> {
+    fn checked(
+        &self,
+        level: &Level,
+        answer: Result<Rendering, KernelError>,
+    ) -> Result<Rendering, KernelError> {
         let rendering = answer?;
         let (got, wanted) = (rendering.radiance.len(), self.subject.channels().len());
         if got != wanted {
             return Err(KernelError::Channels { got, wanted });
         }
-        let what = "step";
-        match rendering.step {
-            Some(value) if !(value.is_finite() && value > 0.0) => {
-                Err(KernelError::Used { what, value })
-            }
-            _ if rendering.segments == Some(0) => Err(KernelError::Used {
-                what: "number of segments",
-                value: 0.0,
-            }),
+        let used = |what, value| Err(KernelError::Used { what, value });
+        let cut = || self.used(level, &rendering).on(self.subject.length());
+        match (rendering.segments, rendering.step) {
+            (_, Some(step)) if !(step.is_finite() && step > 0.0) => used("step", step),
+            (Some(0), _) => used("number of segments", 0.0),
+            // So many that no ray is cut so: what it sampled cannot be told.
+            (Some(segments), _) if cut().is_err() => used("number of segments", segments as f64),
+            (None, Some(step)) if cut().is_err() => used("step", step),
             _ => Ok(rendering),
         }
     }

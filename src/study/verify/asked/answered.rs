@@ -1,14 +1,14 @@
 //! What comes of a kernel's answers.
 
 use super::used::lookups;
-use super::{Answers, Asked, Level};
+use super::{Answers, Asked};
 use crate::case::Case;
 use crate::convergence::{Replicas, Sample, fit, fit_replicas};
 use crate::diagnosis::{Ray, Watched, WatchedLevel};
 use crate::kernel::{Cut, FormKind, KernelError, Rendering};
 use crate::real::Native;
 use crate::study::verify::line::{Failure, Line, Measured, Radiances};
-use crate::study::verify::nominal::{self, Nominal};
+use crate::study::verify::nominal;
 use crate::study::verify::standing::{self, Judged};
 use crate::study::verify::{Axis, VerifyError, expectation, truth};
 use rug::Float;
@@ -33,6 +33,7 @@ impl Asked<'_> {
             }
             _ => exact,
         };
+        let of_tables = self.of_tables(channel)?;
         let mut radiances = Radiances::new(stepwise);
         let mut failures = Vec::new();
         let mut watched = Watched {
@@ -71,9 +72,10 @@ impl Asked<'_> {
                 .iter()
                 .map(|rendering| rendering.radiance[channel].clone())
                 .collect();
+            let ray = Ray::new(&segments, channel, Native::<f64>::new());
             if let Some(value) = values.first() {
                 watched.levels.push(WatchedLevel {
-                    ray: Ray::new(&segments, channel, Native::<f64>::new()),
+                    ray: ray.clone(),
                     uniform: uniform.filter(|_| level.volume.is_none()),
                     value: value.to_f64(),
                 });
@@ -82,58 +84,17 @@ impl Asked<'_> {
                 let segments = self.looked_up(level, cut, *lookup)?;
                 rays.push(Ray::new(&segments, channel, Native::<f64>::new()));
             }
-            let step = first.step.unwrap_or_else(|| level.step.to_f64());
-            let (n, step) = self.coordinate(level, uniform, step);
-            let largest = watched.levels.last();
-            let largest = largest.map_or(0.0, |level| level.ray.largest_emission());
-            let floor = self.floor(
-                &radiances.exact,
-                level,
-                declared.as_ref(),
-                &values,
-                (channel, largest),
-            );
+            // Refused already, where the ray cannot be cut so.
+            let used = cut.on(self.subject.length());
+            let (step, _) = used.map_err(|error| self.cut_error(error))?;
+            let (n, step) = self.coordinate(level, uniform, step.to_f64());
+            let mut floor = self.floor(&radiances.exact, level, declared.as_ref(), &ray);
+            floor += self.not_refined(level, channel, &ray) + of_tables;
             radiances.push(n, step, values, floor, declared.map(|d| d.exact));
         }
         let steady = Self::is_steady(channel, answers);
         let line = self.judged(channel, radiances, failures, steady)?;
         Ok((line, watched))
-    }
-
-    /// What of an error may be rounding, or is left by what is not refined.
-    fn floor(
-        &self,
-        exact: &Float,
-        level: &Level,
-        declared: Option<&Nominal>,
-        values: &[Float],
-        (channel, largest_emission): (usize, f64),
-    ) -> Float {
-        let bits = exact.prec();
-        // Pixels are as bright as the brightest emission, and kernels round opacities, which are of order 1: what
-        // is much fainter than either has the rounding of both.
-        let scale = Float::with_val(bits, exact.abs_ref());
-        let scale = scale.max(&Float::with_val(bits, largest_emission));
-        let mut floor = scale * nominal::unit(self.declaration);
-        if let Some(quantum) = self.declaration.quantum {
-            floor = floor.max(&Float::with_val(bits, quantum / 2.0));
-        }
-        if let Some(Nominal { exact, in_format }) = declared {
-            let rounding = Float::with_val(bits, in_format - exact).abs();
-            if rounding > floor {
-                floor = rounding;
-            }
-        } else {
-            // Roundings of as many segments, by chance up and down.
-            floor *= (level.count as f64).sqrt();
-        }
-        if let (Axis::Grid, Some(volume), Some(value)) =
-            (self.settings.axis, &level.volume, values.first())
-        {
-            let on_grid = truth::of_volume(volume, self.subject.length(), channel, bits);
-            floor += Float::with_val(bits, value - on_grid).abs();
-        }
-        floor
     }
 
     /// Whether a kernel that is said to be deterministic answers the same twice.

@@ -77,7 +77,7 @@ impl Asked<'_> {
         segments.map_err(|error| self.cut_error(error))
     }
 
-    fn cut_error(&self, error: CutError) -> VerifyError {
+    pub(super) fn cut_error(&self, error: CutError) -> VerifyError {
         VerifyError::Cut {
             case: self.subject.name().into(),
             error,

@@ -1,0 +1,91 @@
+//! What of an error is not the kernel's: its rounding, and what is left by what is not refined.
+
+use super::{Asked, Level};
+use crate::diagnosis::{Places, Ray, Recipe, radiance};
+use crate::kernel::{Cut, Sampling};
+use crate::real::Native;
+use crate::study::verify::nominal::{self, Nominal};
+use crate::study::verify::{Axis, GRID_SEGMENTS, VerifyError, truth};
+use rug::Float;
+
+impl Asked<'_> {
+    /// What of an error may be rounding.
+    pub(super) fn floor(
+        &self,
+        exact: &Float,
+        level: &Level,
+        declared: Option<&Nominal>,
+        ray: &Ray<f64>,
+    ) -> Float {
+        let bits = exact.prec();
+        // Pixels are as bright as the brightest emission, and kernels round opacities, which are of order 1: what
+        // is much fainter than either has the rounding of both.
+        let scale = Float::with_val(bits, exact.abs_ref());
+        let scale = scale.max(&Float::with_val(bits, ray.largest_emission()));
+        let mut floor = scale * nominal::unit(self.declaration);
+        if let Some(quantum) = self.declaration.quantum {
+            floor = floor.max(&Float::with_val(bits, quantum / 2.0));
+        }
+        if let Some(Nominal { exact, in_format }) = declared {
+            let rounding = Float::with_val(bits, in_format - exact).abs();
+            if rounding > floor {
+                floor = rounding;
+            }
+        } else {
+            // Roundings of as many segments, by chance up and down.
+            floor *= (level.count as f64).sqrt();
+        }
+        floor
+    }
+
+    /// What the step leaves of an error while the grid is refined: not what this kernel shows, which may be wrong,
+    /// but what one does that samples as it says.
+    pub(super) fn not_refined(&self, level: &Level, channel: usize, ray: &Ray<f64>) -> f64 {
+        let (Axis::Grid, Some(volume)) = (self.settings.axis, &level.volume) else {
+            return 0.0;
+        };
+        let of_method = |method| Recipe::of_method(&method);
+        let recipe = self.declaration.method.and_then(of_method);
+        let recipe = recipe.unwrap_or_else(|| Recipe {
+            places: match (self.declaration.sampling, self.declaration.order) {
+                (Some(Sampling::Middle), _) => Places::Middle,
+                (Some(Sampling::Ends), _) => Places::Ends,
+                (Some(Sampling::Back), _) => Places::Back,
+                (None, Some(order)) if order > 1.0 => Places::Middle,
+                // Of nobody knows which, the one that leaves most.
+                (Some(Sampling::Front | Sampling::Jittered) | None, _) => Places::Front,
+            },
+            ..Recipe::default()
+        });
+        let sampled = radiance(&recipe, ray, Native::<f64>::new());
+        let bits = f64::MANTISSA_DIGITS;
+        let whole = truth::of_volume(volume, self.subject.length(), channel, bits);
+        (sampled - whole.to_f64()).abs()
+    }
+
+    /// What tables leave of an error, however fine the grid; 0 where the step is refined, which leads to the
+    /// radiance of the tables themselves.
+    pub(super) fn of_tables(&self, channel: usize) -> Result<f64, VerifyError> {
+        let finest = self.levels.last().and_then(|level| level.volume.as_ref());
+        let (Axis::Grid, Some(volume)) = (self.settings.axis, finest) else {
+            return Ok(0.0);
+        };
+        let exact = self.subject.segments(Cut::Segments(GRID_SEGMENTS));
+        let exact = exact.map_err(|error| self.cut_error(error))?;
+        let mut tabled = exact.clone();
+        let mut emission = vec![0.0; self.subject.channels().len()];
+        for (index, lambda) in exact.middles.lambda.iter().enumerate() {
+            let s = self.subject.field(*lambda);
+            tabled.middles.extinction[index] = volume.table.at(s, &mut emission);
+            tabled.middles.emission[channel][index] = emission[channel];
+        }
+        let middles = Recipe {
+            places: Places::Middle,
+            ..Recipe::default()
+        };
+        let format = Native::<f64>::new();
+        let of =
+            |segments| -> f64 { radiance(&middles, &Ray::new(segments, channel, format), format) };
+        Ok((of(&tabled) - of(&exact)).abs())
+    }
+}
