@@ -102,11 +102,10 @@ impl KernelArguments {
 
 fn built_in(name: &str) -> Result<Box<dyn Kernel>, Failure> {
     let usage = |error: &dyn std::fmt::Display| Failure::Usage(format!("{error}"));
-    let (method, format) = name.split_once('@').unwrap_or((name, "f64"));
-    // A seed of Monte Carlo stands behind an @ too.
+    // A seed of Monte Carlo stands behind an @ too, and an outer rule behind it; no format has a slash.
     let (method, format) = match name.rsplit_once('@') {
-        Some((front, back)) if front.contains('@') => (front, back),
-        _ => (method, format),
+        Some((method, format)) if !format.contains('/') => (method, format),
+        _ => (name, "f64"),
     };
     let method: Method = method.parse().map_err(|error| usage(&error))?;
     let format: FormatName = format.parse().map_err(|error| usage(&error))?;

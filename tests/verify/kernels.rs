@@ -1,6 +1,6 @@
 //! Kernels that are what they say, and kernels that are not.
 
-use crate::run::{Run, fixture, in_repository, junit, verify};
+use crate::run::{Run, fixture, in_repository, junit, verify, volver};
 use serde_json::Value;
 use std::fs;
 use std::process::Command;
@@ -34,6 +34,22 @@ fn methods_of_volver_are_what_they_say() {
         verify(&[], &["method:trapezoid/trapezoid"]),
         "the values are those of: trapezoid rules for depth and radiance",
     );
+}
+
+#[test]
+fn a_seed_behind_an_at_is_no_format() {
+    for (kernel, format) in [
+        ("method:monte-carlo@7/trapezoid", "f64"),
+        ("method:monte-carlo@7/trapezoid@f32", "f32"),
+    ] {
+        let options = ["--replicas", "8", "--ladder", "8..32", "--json", "-"];
+        let cases = ["verify", "--cases", "sine-squared"];
+        let run = volver(&[&cases[..], &options, &[kernel]].concat());
+        assert_eq!(run.err, "", "{kernel}");
+        let declared = &run.json()["kernel"];
+        assert_eq!(declared["method"], "monte-carlo@7/trapezoid");
+        assert_eq!(declared["format"], format);
+    }
 }
 
 #[test]
