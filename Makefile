@@ -1,6 +1,6 @@
 # What a stranger runs and what CI runs are the same commands.
 
-.PHONY: reproduce test proofs lint bench setup
+.PHONY: reproduce test proofs lint kernels bench setup
 .DEFAULT_GOAL := reproduce
 
 # The main job: the paper's tables, measured again, and what lies beyond them; the report goes to reproduction/.
@@ -19,6 +19,10 @@ lint: setup
 	cargo fmt --check
 	cargo clippy --locked --all-targets -- -D warnings
 	RUSTDOCFLAGS="-D warnings" cargo doc --locked --no-deps
+
+# volver verify, for real: the kernels of examples/kernels, VTK's among them, which it installs from PyPI under target/.
+kernels: setup
+	examples/kernels/check
 
 bench: setup
 	cargo bench --locked
