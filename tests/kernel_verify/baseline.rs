@@ -85,7 +85,7 @@ fn noise_moves_nothing() {
     assert_eq!(baseline.moved(&before), []);
     // As another compiler rounds.
     let rounded = |segments: &Segments, radiance: f64| {
-        let up = segments.count().trailing_zeros() % 2 == 0;
+        let up = segments.count().trailing_zeros().is_multiple_of(2);
         if up {
             radiance.next_up()
         } else {

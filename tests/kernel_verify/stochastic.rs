@@ -6,7 +6,7 @@ use volver::study::verify::{Conclusion, Measured, Settings, Standing, Verificati
 
 const LADDER: &str = "16..256";
 
-/// SplitMix64: numbers from 0 to 1.
+/// `SplitMix64`: numbers from 0 to 1.
 struct Random(u64);
 
 impl Random {

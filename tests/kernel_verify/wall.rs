@@ -19,7 +19,7 @@ fn free(segments: &Segments, channel: usize) -> f64 {
     composite(front(segments, channel))
 }
 
-/// As with NeRF's last length of 1e10.
+/// A last length of 1e10, as many renderers have it.
 fn walled(segments: &Segments, channel: usize) -> f64 {
     let mut samples = front(segments, channel);
     if let Some(last) = samples.last_mut() {
