@@ -1,10 +1,16 @@
 //! What a request to a kernel in a process of its own costs besides rendering: the round trip to kernels that
-//! compute nothing, and what it takes to write the numbers as text, which is part of it unless they go into files.
+//! compute nothing, or next to nothing, and what it takes to write the numbers as text, which is part of it unless
+//! they go into files.
+//!
+//! In Python that is `nothing.py`; in C it is `examples/kernels/front_to_back.c`, compiled here by `cc`, whose own
+//! work is an exponential a segment.
 //!
 //! `cargo bench --bench kernel`, or with `-- NAME PROGRAM ARGUMENT…` for another kernel than those listed; that
 //! one's own time is then in the figures.
 #![allow(missing_docs, clippy::expect_used)]
 
+use std::path::Path;
+use std::process::Command;
 use std::time::{Duration, Instant};
 use volver::case::catalogue;
 use volver::case::manufacture::manufacture;
@@ -16,7 +22,9 @@ const REQUESTS: usize = 500;
 
 fn main() {
     let python = concat!(env!("CARGO_MANIFEST_DIR"), "/benches/kernel/nothing.py");
+    let folder = tempfile::tempdir().expect("a folder");
     let mut kernels = vec![
+        command("C, text", &in_c(folder.path()), &[]),
         command("python, text", "python3", &[python, "json"]),
         command("python, files", "python3", &[python, "npy"]),
     ];
@@ -35,6 +43,21 @@ fn main() {
             measure(&name, &mut kernel, &subject, n);
         }
     }
+}
+
+/// The kernel in C, compiled into the folder.
+fn in_c(folder: &Path) -> String {
+    let root = Path::new(env!("CARGO_MANIFEST_DIR"));
+    let program = folder.join("front_to_back");
+    let compiled = Command::new("cc")
+        .args(["-std=c99", "-O2", "-DVOLVER_PROCESS", "-o"])
+        .arg(&program)
+        .arg(root.join("examples/kernels/front_to_back.c"))
+        .arg("-lm")
+        .status();
+    let compiled = compiled.expect("a C compiler, cc");
+    assert!(compiled.success(), "front_to_back.c is compiled");
+    program.to_str().expect("a path in UTF-8").into()
 }
 
 fn without_cargo<'a>(arguments: &'a [&'a str]) -> &'a [&'a str] {
