@@ -6,6 +6,8 @@ use crate::kernel::{Declaration, Sampling};
 
 /// The part of the channels that a model has to reproduce to be named.
 pub(super) const ENOUGH: f64 = 0.9;
+/// Decimal digits that it has to reproduce: in a coarse format much agrees that has nothing in common.
+const FEWEST_DIGITS: f64 = 1.0;
 
 /// What the values say a kernel computes.
 #[derive(Clone, Debug, PartialEq)]
@@ -27,7 +29,9 @@ impl Fingerprint {
     /// Whether the best model explains enough to be named without reserve.
     #[must_use]
     pub fn is_named(&self) -> bool {
-        let enough = |best: &Match| best.agrees.len() as f64 >= ENOUGH * best.of as f64;
+        let enough = |best: &Match| {
+            best.agrees.len() as f64 >= ENOUGH * best.of as f64 && best.digits >= FEWEST_DIGITS
+        };
         self.best.as_ref().is_some_and(enough)
     }
 

@@ -12,7 +12,7 @@ const RAYS: usize = 400;
 const FARTHEST: f64 = 5.0;
 /// The part of the channels that must agree.
 const ENOUGH: f64 = 0.9;
-/// The root mean square of (answer − mean)/deviation is 1; of some 50 channels it lies between these.
+/// The root mean square of (one answer − the other)/(√2 deviation) is 1; of some 20 channels it lies between these.
 const NEAR_ONE: (f64, f64) = (0.6, 1.5);
 
 /// Compositing with samples at random places that answers scatter like.
@@ -73,7 +73,8 @@ fn agrees(watched: &[Watched], opacity: OpacityModel) -> Option<Jittered> {
             agrees.push(index);
         }
         if deviation > rounding {
-            squares.extend(values.map(|value| ((value - mean) / deviation).powi(2)));
+            let [first, second] = values;
+            squares.push(((first - second) / deviation).powi(2) / 2.0);
         }
     }
     let spread = (squares.iter().sum::<f64>() / squares.len() as f64).sqrt();

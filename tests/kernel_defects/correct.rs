@@ -28,6 +28,7 @@ fn kernels() -> Vec<Box<dyn Kernel>> {
         built_in("trapezoid/trapezoid", FormatName::F64),
         built_in("simpson/simpson", FormatName::F64),
         built_in("tree/middle/expm1", FormatName::F32),
+        built_in("front-to-back/middle/expm1", FormatName::F32),
         built_in("front-to-back/middle/expm1", FormatName::Mpfr(120)),
     ]
 }

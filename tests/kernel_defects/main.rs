@@ -19,8 +19,8 @@ use volver::kernel::{Kernel, Subject};
 use volver::study::Silent;
 use volver::study::verify::{Settings, Verification, verify};
 
-/// Thin and thick, faint and long, smooth and not: 24 channels.
-const CASES: [&str; 22] = [
+/// Thin and thick, faint and long, smooth and not, one of them beyond binary32's range: 25 channels.
+const CASES: [&str; 23] = [
     "absorption-only",
     "atmosphere",
     "cloud",
@@ -41,6 +41,7 @@ const CASES: [&str; 22] = [
     "rgb-transfer",
     "sine-squared",
     "square-root-field",
+    "steep-ramp",
     "thick",
     "thick-front",
 ];

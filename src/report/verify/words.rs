@@ -158,11 +158,11 @@ pub(super) fn fingerprint(verification: &Verification) -> Vec<String> {
         Some(best) if found.is_named() => {
             format!("the values are those of: {}", matched(best))
         }
-        Some(best) => format!(
+        Some(best) if 2 * best.agrees.len() >= best.of && best.digits >= 1.0 => format!(
             "no known model reproduces the values; nearest: {}",
             matched(best)
         ),
-        None => "no known model reproduces the values".into(),
+        _ => "no known model reproduces the values".into(),
     }];
     if found.is_named() && !found.alike.is_empty() {
         let alike: Vec<String> = found

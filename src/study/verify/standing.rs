@@ -79,6 +79,8 @@ pub(super) struct Judged<'a> {
     pub(super) failures: &'a [Failure],
     /// The verdict on the declared method itself, run exactly on the same levels.
     pub(super) of_method: Option<Verdict>,
+    /// Whether the declared method, if there is one, has a value at every level in the declared format.
+    pub(super) in_range: bool,
     pub(super) steady: bool,
 }
 
@@ -89,8 +91,16 @@ pub(super) fn of(judged: &Judged<'_>) -> Standing {
     if !judged.failures.is_empty() {
         return Standing::Failed;
     }
-    if verdict == Verdict::NotFinite || !judged.steady {
+    if !judged.steady {
         return Standing::Contradicted;
+    }
+    if verdict == Verdict::NotFinite {
+        // Nobody has a number where the format ends.
+        return if judged.in_range {
+            Standing::Contradicted
+        } else {
+            Standing::Inconclusive
+        };
     }
     if matches!(judged.expected, Some(Expected::Blind { .. })) {
         return Standing::Blind;

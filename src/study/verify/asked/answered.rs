@@ -8,7 +8,7 @@ use crate::diagnosis::{Ray, Watched, WatchedLevel};
 use crate::kernel::{Cut, FormKind, KernelError, Rendering};
 use crate::real::Native;
 use crate::study::verify::line::{Failure, Line, Measured, Radiances};
-use crate::study::verify::nominal;
+use crate::study::verify::nominal::{self, Nominal};
 use crate::study::verify::standing::{self, Judged};
 use crate::study::verify::{Axis, VerifyError, expectation, truth};
 use rug::Float;
@@ -36,6 +36,7 @@ impl Asked<'_> {
         let of_tables = self.of_tables(channel)?;
         let mut radiances = Radiances::new(stepwise);
         let mut failures = Vec::new();
+        let mut in_range = true;
         let mut watched = Watched {
             name: case.name().into(),
             case: case.clone(),
@@ -90,10 +91,12 @@ impl Asked<'_> {
             let (n, step) = self.coordinate(level, uniform, step.to_f64());
             let mut floor = self.floor(&radiances.exact, level, declared.as_ref(), &ray);
             floor += self.not_refined(level, channel, &ray) + of_tables;
+            let finite = |nominal: &Nominal| nominal.in_format.is_finite();
+            in_range = in_range && declared.as_ref().is_none_or(finite);
             radiances.push(n, step, values, floor, declared.map(|d| d.exact));
         }
         let steady = Self::is_steady(channel, answers);
-        let line = self.judged(channel, radiances, failures, steady)?;
+        let line = self.judged(channel, radiances, failures, (steady, in_range))?;
         Ok((line, watched))
     }
 
@@ -122,7 +125,7 @@ impl Asked<'_> {
         channel: usize,
         radiances: Radiances,
         failures: Vec<Failure>,
-        steady: bool,
+        (steady, in_range): (bool, bool),
     ) -> Result<Line, VerifyError> {
         let case = &self.subject.cases()[channel];
         let expected = expectation::of(self.declaration, self.settings, case);
@@ -164,6 +167,7 @@ impl Asked<'_> {
             expected,
             failures: &failures,
             of_method: of_method.as_ref().map(|fit| fit.verdict),
+            in_range,
             steady,
         });
         Ok(Line {

@@ -28,7 +28,8 @@ impl Asked<'_> {
         }
         if let Some(Nominal { exact, in_format }) = declared {
             let rounding = Float::with_val(bits, in_format - exact).abs();
-            if rounding > floor {
+            // Not where the format has no number for it.
+            if rounding.is_finite() && rounding > floor {
                 floor = rounding;
             }
         } else {
