@@ -2,8 +2,8 @@
 //! compute nothing, or next to nothing, and what it takes to write the numbers as text, which is part of it unless
 //! they go into files.
 //!
-//! In Python that is `nothing.py`; in C it is `examples/kernels/front_to_back.c`, compiled here by `cc`, whose own
-//! work is an exponential a segment.
+//! `nothing.c`, compiled here by `cc`, does not even read the numbers; `nothing.py` does, and so does
+//! `examples/kernels/front_to_back.c`, whose own work is an exponential a segment.
 //!
 //! `cargo bench --bench kernel`, or with `-- NAME PROGRAM ARGUMENT…` for another kernel than those listed; that
 //! one's own time is then in the figures.
@@ -24,7 +24,16 @@ fn main() {
     let python = concat!(env!("CARGO_MANIFEST_DIR"), "/benches/kernel/nothing.py");
     let folder = tempfile::tempdir().expect("a folder");
     let mut kernels = vec![
-        command("C, text", &in_c(folder.path()), &[]),
+        command(
+            "C, unread",
+            &in_c("benches/kernel/nothing.c", folder.path()),
+            &[],
+        ),
+        command(
+            "C, text",
+            &in_c("examples/kernels/front_to_back.c", folder.path()),
+            &[],
+        ),
         command("python, text", "python3", &[python, "json"]),
         command("python, files", "python3", &[python, "npy"]),
     ];
@@ -45,18 +54,18 @@ fn main() {
     }
 }
 
-/// The kernel in C, compiled into the folder.
-fn in_c(folder: &Path) -> String {
-    let root = Path::new(env!("CARGO_MANIFEST_DIR"));
-    let program = folder.join("front_to_back");
+/// The kernel of that file in C, compiled into the folder.
+fn in_c(source: &str, folder: &Path) -> String {
+    let source = Path::new(env!("CARGO_MANIFEST_DIR")).join(source);
+    let program = folder.join(source.file_stem().expect("a name"));
     let compiled = Command::new("cc")
         .args(["-std=c99", "-O2", "-DVOLVER_PROCESS", "-o"])
         .arg(&program)
-        .arg(root.join("examples/kernels/front_to_back.c"))
+        .arg(&source)
         .arg("-lm")
         .status();
     let compiled = compiled.expect("a C compiler, cc");
-    assert!(compiled.success(), "front_to_back.c is compiled");
+    assert!(compiled.success(), "{} is compiled", source.display());
     program.to_str().expect("a path in UTF-8").into()
 }
 
