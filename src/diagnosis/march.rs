@@ -8,6 +8,9 @@ use crate::method::OpacityFormula;
 use crate::real::{Format, Real};
 use rug::Rational;
 
+/// The length that renderers give the last segment to make a wall of it: what absorbs nothing stays clear.
+pub const WALL_LENGTH: i64 = 10_000_000_000;
+
 /// What one segment does: I += T·adds, T ·= passes.
 #[derive(Clone, Debug)]
 pub(super) struct Step<R> {
@@ -131,7 +134,10 @@ fn sampled<R: Real>(
     let last = samples.len().saturating_sub(1);
     let step = |(j, sample): (usize, &Sample<R>)| {
         let (alpha, passes) = if recipe.wall && j == last {
-            (format.int(1), format.int(0))
+            opacity.of(&Sample {
+                length: format.int(WALL_LENGTH),
+                ..sample.clone()
+            })
         } else {
             opacity.of(sample)
         };

@@ -28,7 +28,7 @@ pub use fingerprint::{Fingerprint, fingerprint};
 pub use jitter::{Jittered, jittered};
 pub use likeness::{Likeness, likeness};
 pub use linear::LinearSegments;
-pub use march::{radiance, radiance_by};
+pub use march::{WALL_LENGTH, radiance, radiance_by};
 pub use model::{Match, Model};
 pub use places::Places;
 pub use ray::Ray;

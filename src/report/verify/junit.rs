@@ -1,6 +1,6 @@
 //! `JUnit` XML, which CI servers show: one test case a channel, and one for the fingerprint.
 
-use super::words::{failure, failures, fingerprint, order, theory};
+use super::words::{failure, failures, fingerprint, label, order, theory};
 use crate::diagnosis::Fingerprint;
 use crate::study::verify::{Conclusion, Line, Standing, Verification};
 use std::fmt::Write;
@@ -26,7 +26,8 @@ pub fn junit(verification: &Verification) -> String {
         .is_some_and(Fingerprint::contradicts_declaration);
     let found = verification.findings.iter().map(|finding| {
         let channels = finding.channels.join(", ");
-        format!("defect: {} ({channels})", finding.defect)
+        let label = label(verification);
+        format!("{label}{} ({channels})", finding.defect)
     });
     let sentences: Vec<String> = fingerprint(verification).into_iter().chain(found).collect();
     let sentences = escape(&sentences.join("; "));

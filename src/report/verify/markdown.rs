@@ -1,7 +1,7 @@
 //! A document with a plot a channel.
 
 use super::words::{
-    axis, conclusion, failure, failures, fingerprint, floor, order, theory, window,
+    axis, conclusion, failure, failures, fingerprint, floor, label, order, theory, window,
 };
 use super::{is_drawn, plot_name};
 use crate::study::verify::Verification;
@@ -27,7 +27,8 @@ fn document(verification: &Verification, text: &mut String) -> fmt::Result {
         let channels = finding.channels.join(", ");
         writeln!(
             text,
-            "- **defect**: {} ({})",
+            "- **{}**{} ({})",
+            label(verification),
             escape(&finding.defect),
             escape(&channels)
         )?;

@@ -1,7 +1,8 @@
 //! For a terminal: rows as they come, then what they say.
 
 use super::words::{
-    NONE, bars, conclusion, failure, failures, fingerprint, floor, order, sign, theory, window,
+    NONE, bars, conclusion, failure, failures, fingerprint, floor, label, order, sign, theory,
+    window,
 };
 use crate::report::text::{MIN_WIDTH, Style, paint, wrap};
 use crate::study::verify::{Conclusion, Line, Standing, Verification};
@@ -120,7 +121,7 @@ pub fn closing(verification: &Verification, width: usize, color: bool) -> String
             channels => channels.join(", "),
         };
         let words = format!("{} ({channels})", finding.defect);
-        say(&words, "defect: ", Style::Bad);
+        say(&words, label(verification), Style::Bold);
     }
     let legend = "✓ confirmed, ✗ contradicted, ? inconclusive, · blind, ! failed";
     say(legend, "", Style::Faint);

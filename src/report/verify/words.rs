@@ -250,3 +250,12 @@ pub(super) fn axis(verification: &Verification) -> String {
         Axis::Grid => format!("cells of the grid = {ladder}"),
     }
 }
+
+/// What a finding is called: jitter is no defect of a kernel that says it draws random numbers.
+pub(super) fn label(verification: &Verification) -> &'static str {
+    if verification.declaration.stochastic {
+        "found: "
+    } else {
+        "defect: "
+    }
+}

@@ -102,13 +102,19 @@ pub(super) fn of(judged: &Judged<'_>) -> Standing {
             Standing::Inconclusive
         };
     }
-    if matches!(judged.expected, Some(Expected::Blind { .. })) {
-        return Standing::Blind;
-    }
     if verdict.passes(judged.expected) {
         return Standing::Confirmed;
     }
     let does_not_converge = matches!(verdict, Verdict::Diverged | Verdict::Stalled);
+    if matches!(judged.expected, Some(Expected::Blind { .. })) {
+        // Whatever the order is that a case hides, its method converges there.
+        let worse = does_not_converge && judged.of_method != Some(verdict);
+        return if worse {
+            Standing::Contradicted
+        } else {
+            Standing::Blind
+        };
+    }
     let is_order = matches!(judged.expected, Some(Expected::Order(_) | Expected::Exact));
     let misses = verdict == Verdict::TooLow || does_not_converge;
     let contradicts = match judged.of_method {

@@ -2,7 +2,7 @@
 
 use super::VerifyError;
 use crate::case::{Case, SymbolicCase, Transfer};
-use crate::diagnosis::LinearSegments;
+use crate::diagnosis::{LinearSegments, WALL_LENGTH};
 use crate::kernel::Volume;
 use crate::real::{Format, Mpfr, MpfrReal, Real};
 use crate::reference;
@@ -11,9 +11,12 @@ use rug::{Float, Rational};
 /// Gauss–Legendre points for stretches of an optical depth below 1/32: they leave 2⁻¹²³ of it.
 const THIN_POINTS: u32 = 8;
 
+/// How far in front of the end of a ray, as a part of it, its last samples are still looked for.
+const LAST_SAMPLE: (u32, u32) = (1, 10_000);
+
 /// The radiance of one channel of a case, with what stands at the end of the ray.
 ///
-/// I + T(D) C(s(D)) where there is a far wall.
+/// I + T(D) C(s(D)) where there is a far wall, and something in front of it that absorbs.
 pub(super) fn of_case(
     case: &SymbolicCase,
     bits: u32,
@@ -29,8 +32,13 @@ pub(super) fn of_case(
         let format = Mpfr {
             bits: radiance.prec(),
         };
-        let wall = case.transfer(&case.field(&format.ratio(&case.length())));
-        radiance += (-depth).exp() * wall.emission.to_float();
+        let length = case.length();
+        let wall = case.transfer(&case.field(&format.ratio(&length)));
+        // The last sample lies just in front of the end, where a medium may vanish.
+        let before = length - case.length() * Rational::from(LAST_SAMPLE);
+        let extinction = case.extinction(&case.field(&format.ratio(&before)));
+        let opacity = -(-(extinction * &format.int(WALL_LENGTH))).exp_m1();
+        radiance += (-depth).exp() * (wall.emission * &opacity).to_float();
     }
     Ok(radiance)
 }
