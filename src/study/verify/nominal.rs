@@ -2,7 +2,7 @@
 
 use crate::case::SymbolicCase;
 use crate::diagnosis::{Model, Ray, Recipe, radiance_by};
-use crate::kernel::{Declaration, Segments, radiance_in};
+use crate::kernel::{Declaration, FormKind, Segments, radiance_in};
 use crate::method::{Method, OpacityFormula};
 use crate::real::{Format, FormatName, Real, WithFormat};
 use rug::Float;
@@ -64,9 +64,14 @@ pub(super) fn at_level(
                     channel,
                 })
             };
+            // A kernel that evaluates the medium itself does that in its own format too.
+            let by_itself = || {
+                let n = uniform.filter(|_| evaluates(declaration.form))?;
+                radiance_in(declaration.format, &declaration.method?, case, n).ok()
+            };
             Some(Nominal {
                 exact: of(more),
-                in_format: of(declaration.format),
+                in_format: by_itself().unwrap_or_else(|| of(declaration.format)),
             })
         }
         Model::Method(method) => {
@@ -76,6 +81,14 @@ pub(super) fn at_level(
                 in_format: of(declaration.format)?,
             })
         }
+    }
+}
+
+/// Whether a kernel that is given such a form evaluates the medium itself.
+fn evaluates(form: FormKind) -> bool {
+    match form {
+        FormKind::Function | FormKind::Formula(_) => true,
+        FormKind::Segments | FormKind::Volume => false,
     }
 }
 
