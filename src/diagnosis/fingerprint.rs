@@ -1,11 +1,10 @@
 //! Which model reproduces a kernel's values.
 
+use super::model::ENOUGH;
 use super::search::Search;
 use super::{Accumulator, Accuracy, Match, Model, Places, Watched};
 use crate::kernel::{Declaration, Sampling};
 
-/// The part of the channels that a model has to reproduce to be named.
-pub(super) const ENOUGH: f64 = 0.9;
 /// Decimal digits that it has to reproduce: in a coarse format much agrees that has nothing in common.
 const FEWEST_DIGITS: f64 = 1.0;
 

@@ -4,6 +4,9 @@ use super::Recipe;
 use crate::method::Method;
 use std::fmt;
 
+/// The part of the channels that a model has to reproduce to be named.
+pub(super) const ENOUGH: f64 = 0.9;
+
 /// What a kernel may compute.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Model {

@@ -1,8 +1,8 @@
 //! The search for the simplest model that reproduces most.
 
 use super::candidates::{methods, recipes};
-use super::fingerprint::ENOUGH;
 use super::march::radiance;
+use super::model::ENOUGH;
 use super::parameter::solved;
 use super::stops::{USUAL, explained};
 use super::values::{MOST_DIGITS, correct_digits, in_quanta, values};
