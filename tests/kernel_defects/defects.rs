@@ -236,7 +236,7 @@ fn seeded_defects_are_flagged_and_named() {
     let subjects = subjects();
     let mutants: Vec<&Mutant> = SINGLE.iter().chain(UNUSUAL).chain(DOUBLE).collect();
     assert!(mutants.len() >= 40);
-    let mut named = 0;
+    let mut unnamed = Vec::new();
     for (method, faults, words) in &mutants {
         let declaration = declared(method, faults);
         let mut kernel = Closure::new(declaration, |task, channel| march(task, channel, faults));
@@ -254,12 +254,15 @@ fn seeded_defects_are_flagged_and_named() {
             if right { "named " } else { "UNNAMED" },
         );
         assert!(flagged, "{faults:?} declared as {method}: {said}");
-        named += usize::from(right);
+        if !right {
+            unnamed.push(faults);
+        }
     }
-    println!("{named} of {} named", mutants.len());
-    assert!(
-        named * 10 >= mutants.len() * 9,
-        "{named} of {}",
+    println!(
+        "{} of {} named",
+        mutants.len() - unnamed.len(),
         mutants.len()
     );
+    // Nine in ten would do; but what is named once is to stay named.
+    assert_eq!(unnamed, Vec::<&&[Fault]>::new());
 }
