@@ -10,6 +10,7 @@
 )]
 
 mod baseline;
+mod quantum;
 mod said;
 mod stochastic;
 mod volume;
