@@ -1,12 +1,11 @@
 //! `volver check`: a kernel compared with what it showed before.
 
+use super::input::read;
 use super::kernel::{KERNELS, KernelArguments, subjects};
 use super::verify::{Table, outcome};
 use super::{Color, Failure, Outcome, write_out};
 use clap::Args;
 use std::fmt::Write;
-use std::io::Read;
-use std::{fs, io};
 use volver::study::verify::{Baseline, BaselineError, Conclusion};
 
 const EXAMPLES: &str = "\
@@ -74,18 +73,4 @@ impl Check {
             Outcome::CheckFailed
         })
     }
-}
-
-/// The text of a file, or of standard input.
-fn read(path: &str) -> Result<String, Failure> {
-    let text = if path == "-" {
-        let mut text = String::new();
-        io::stdin().lock().read_to_string(&mut text).map(|_| text)
-    } else {
-        fs::read_to_string(path)
-    };
-    text.map_err(|error| Failure::Input {
-        path: path.into(),
-        error,
-    })
 }

@@ -3,10 +3,9 @@
 mod json;
 mod text;
 
+use super::input::read;
 use super::{Color, Failure, Outcome, write_out};
 use clap::Args;
-use std::fs;
-use std::io::{self, Read};
 use volver::convergence::table::{self, FloorSource, Levels, Reading};
 use volver::convergence::{Decimal, Fit as Fitted, Sample, fit, fit_differences};
 use volver::method::Expected;
@@ -110,20 +109,6 @@ impl Fit {
             source,
         })
     }
-}
-
-/// The text of a file, or of standard input.
-fn read(path: &str) -> Result<String, Failure> {
-    let text = if path == "-" {
-        let mut text = String::new();
-        io::stdin().lock().read_to_string(&mut text).map(|_| text)
-    } else {
-        fs::read_to_string(path)
-    };
-    text.map_err(|error| Failure::Input {
-        path: path.into(),
-        error,
-    })
 }
 
 fn decimal(text: &str) -> Result<Decimal, &'static str> {

@@ -6,6 +6,7 @@ mod check;
 mod completions;
 mod failure;
 mod fit;
+mod input;
 mod kernel;
 mod manufacture;
 mod progress;

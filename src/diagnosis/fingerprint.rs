@@ -2,7 +2,7 @@
 
 use super::model::ENOUGH;
 use super::search::Search;
-use super::{Accumulator, Accuracy, Match, Model, Places, Watched};
+use super::{Accuracy, Match, Model, Places, Watched};
 use crate::kernel::{Declaration, Sampling};
 
 /// Decimal digits that it has to reproduce: in a coarse format much agrees that has nothing in common.
@@ -18,8 +18,6 @@ pub struct Fingerprint {
     pub alike: Vec<Model>,
     /// How well the declared method reproduces them, where there is one that the values can be compared with.
     pub declared: Option<Match>,
-    /// What all values are numbers of, where that is coarser than declared.
-    pub kept_in: Option<Accumulator>,
     /// Where the values say that segments are sampled, where that is not as declared.
     pub samples_at: Option<Places>,
 }

@@ -47,7 +47,6 @@ impl Search<'_> {
                 best: Some(whole.clone()),
                 alike: Vec::new(),
                 declared,
-                kept_in,
                 samples_at: None,
             };
         }
@@ -72,7 +71,6 @@ impl Search<'_> {
             best,
             alike,
             declared,
-            kept_in,
             samples_at: None,
         }
     }

@@ -47,7 +47,12 @@ pub(super) fn of_case(
 /// and τ are linear.
 pub(super) fn of_volume(volume: &Volume, length: &Rational, channel: usize, bits: u32) -> Float {
     let format = Mpfr { bits };
-    let exact = |x: f64| format.ratio(&Rational::from_f64(x).unwrap_or_default());
+    // What is no number stays none: it must not pass for a medium that is empty.
+    let nothing = format.int(0) / &format.int(0);
+    let exact = |x: f64| {
+        let number = Rational::from_f64(x);
+        number.map_or_else(|| nothing.clone(), |number| format.ratio(&number))
+    };
     let mut emission = vec![0.0; volume.table.emission.len()];
     let mut at = |part: f64| {
         let extinction = volume.table.at(volume.field_at(part), &mut emission);

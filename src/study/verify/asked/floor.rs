@@ -22,7 +22,8 @@ impl Asked<'_> {
         // is much fainter than either has the rounding of both.
         let scale = Float::with_val(bits, exact.abs_ref());
         let scale = scale.max(&Float::with_val(bits, ray.largest_emission()));
-        let mut floor = scale * nominal::unit(self.declaration);
+        // By its exponent: binary64 has no unit of so many bits as MPFR may have.
+        let mut floor = scale >> nominal::bits(self.declaration.format);
         if let Some(quantum) = self.declaration.quantum {
             floor = floor.max(&Float::with_val(bits, quantum / 2.0));
         }
