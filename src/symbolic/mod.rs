@@ -13,6 +13,7 @@ mod program;
 mod quotient;
 mod simplify;
 mod substitute;
+mod taylor;
 #[cfg(test)]
 mod tests;
 
@@ -26,6 +27,7 @@ pub use program::{
     Bound, CompileError, Constant, Instruction, KeptProgram, Operand, Operation, Program,
 };
 pub use quotient::{expand, quotient};
+pub use taylor::{Range, Taylor, taylor};
 
 mod decide;
 mod enclose;
