@@ -57,5 +57,6 @@ pub mod quadrature;
 pub mod real;
 pub mod reference;
 pub mod report;
+pub mod scene;
 pub mod study;
 pub mod symbolic;

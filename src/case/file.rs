@@ -16,6 +16,7 @@
 mod error;
 mod excerpt;
 mod expression;
+mod message;
 mod nesting;
 mod problem;
 mod recipe;
@@ -25,6 +26,7 @@ mod tests;
 mod text;
 
 pub use error::FileError;
+pub(crate) use message::said;
 pub(crate) use nesting::{MAX_DOTS, deepest_dot};
 pub use problem::FileProblem;
 pub use recipe::Recipe;

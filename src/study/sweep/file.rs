@@ -1,6 +1,6 @@
 //! `study.toml`: what to run, as text.
 
-use crate::case::file::{MAX_DOTS, deepest_dot};
+use crate::case::file::{MAX_DOTS, deepest_dot, said};
 use schemars::{JsonSchema, Schema};
 use serde::Deserialize;
 use serde_json::Value;
@@ -124,7 +124,10 @@ impl StudyFile {
         }
         toml::from_str(text).map_err(|error| {
             let span = error.span().unwrap_or_default();
-            let message = said(error.message());
+            let message = said(
+                error.message(),
+                "TOML with the keys of 'volver schema study'",
+            );
             at(span.start, StudyFileProblem::Content { message })
         })
     }
@@ -139,18 +142,4 @@ impl StudyFile {
 fn line(text: &str, at: usize) -> usize {
     let before = text.get(..at).unwrap_or_default();
     before.matches('\n').count() + 1
-}
-
-/// The reader's message in one line, in the shape of this program's.
-fn said(message: &str) -> String {
-    let message: Vec<&str> = message.split_whitespace().collect();
-    let message = message.join(" ").replace('`', "'");
-    match message.split_once(", expected ") {
-        Some((what, allowed)) => {
-            let allowed = allowed.strip_prefix("one of ").unwrap_or(allowed);
-            format!("{what} (allowed: {allowed})")
-        }
-        None if message.contains("(allowed: ") => message,
-        None => format!("{message} (allowed: TOML with the keys of 'volver schema study')"),
-    }
 }
