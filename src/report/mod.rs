@@ -6,6 +6,7 @@
 //! | [`markdown`] | the same as a document, with plots |
 //! | [`json`] | everything, for programs |
 //! | [`svg`] | log–log convergence plots; cases along their ray |
+//! | [`html`] | one page that opens in a browser, of any report |
 //! | [`write_directory`] | all of them as files |
 //! | [`nonsmooth`] | the table of jumps and kinks, as text, Markdown and JSON |
 //! | [`study`] | a study, as text, Markdown, JSON, CSV, LaTeX and plots |
@@ -19,6 +20,7 @@ mod error;
 #[cfg(test)]
 mod fixture;
 mod group;
+pub mod html;
 pub mod json;
 mod legend;
 pub mod markdown;

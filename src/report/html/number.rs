@@ -1,0 +1,17 @@
+//! Numbers that JSON does not have: they are written as `null`, and read back as NaN.
+
+use serde::{Deserialize, Deserializer};
+
+/// A number, or NaN for `null`.
+pub(super) fn nullable<'de, D: Deserializer<'de>>(from: D) -> Result<f64, D::Error> {
+    Ok(Option::deserialize(from)?.unwrap_or(f64::NAN))
+}
+
+/// Pairs of such numbers.
+pub(super) fn nullable_pairs<'de, D: Deserializer<'de>>(
+    from: D,
+) -> Result<Vec<(f64, f64)>, D::Error> {
+    let pairs: Vec<(Option<f64>, Option<f64>)> = Vec::deserialize(from)?;
+    let number = |x: Option<f64>| x.unwrap_or(f64::NAN);
+    Ok(pairs.iter().map(|&(x, y)| (number(x), number(y))).collect())
+}

@@ -1,0 +1,142 @@
+//! Tables whose rows can be sorted by any column.
+
+use super::Tone;
+use serde::{Deserialize, Serialize};
+
+/// Rows under headings.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct Table {
+    /// What it shows.
+    pub caption: String,
+    /// The headings.
+    pub columns: Vec<Column>,
+    /// The rows; a row that is too short has empty cells at its end. The first cell names the row: reports are
+    /// compared by it.
+    pub rows: Vec<Vec<Cell>>,
+}
+
+impl Table {
+    /// A table without rows.
+    #[must_use]
+    pub fn new(caption: impl Into<String>, columns: impl IntoIterator<Item = Column>) -> Self {
+        Table {
+            caption: caption.into(),
+            columns: columns.into_iter().collect(),
+            rows: Vec::new(),
+        }
+    }
+}
+
+/// A heading.
+#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
+pub struct Column {
+    /// The heading.
+    pub title: String,
+    /// How its cells are sorted and set.
+    pub kind: Kind,
+}
+
+impl Column {
+    /// A column of text.
+    #[must_use]
+    pub fn text(title: impl Into<String>) -> Self {
+        let kind = Kind::Text;
+        Column {
+            title: title.into(),
+            kind,
+        }
+    }
+
+    /// A column of numbers.
+    #[must_use]
+    pub fn number(title: impl Into<String>) -> Self {
+        let kind = Kind::Number;
+        Column {
+            title: title.into(),
+            kind,
+        }
+    }
+
+    /// A column of verdicts.
+    #[must_use]
+    pub fn verdict(title: impl Into<String>) -> Self {
+        let kind = Kind::Verdict;
+        Column {
+            title: title.into(),
+            kind,
+        }
+    }
+}
+
+/// What is in a column.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum Kind {
+    /// Sorted as text, without regard to case.
+    Text,
+    /// Sorted by [`Cell::sort`]; cells without one come last.
+    Number,
+    /// Sorted by tone, the worst first, then as text.
+    Verdict,
+}
+
+/// One cell.
+#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
+pub struct Cell {
+    /// What is shown; it may have several lines.
+    pub text: String,
+    /// What it is sorted and compared by, in a column of numbers: the number, or its logarithm where all cells have
+    /// theirs. Not a finite number is none.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub sort: Option<f64>,
+    /// What its verdict amounts to; shown as a badge.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub tone: Option<Tone>,
+    /// How strongly it is coloured, from 0 to 1: tables of shaded cells are heat maps.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub shade: Option<f64>,
+}
+
+impl Cell {
+    /// Text.
+    #[must_use]
+    pub fn text(text: impl Into<String>) -> Self {
+        Cell {
+            text: text.into(),
+            ..Cell::default()
+        }
+    }
+
+    /// A number as it is shown, and as it is sorted.
+    #[must_use]
+    pub fn number(text: impl Into<String>, sort: impl Into<Option<f64>>) -> Self {
+        Cell {
+            sort: sort.into().filter(|sort| sort.is_finite()),
+            ..Cell::text(text)
+        }
+    }
+
+    /// A verdict.
+    #[must_use]
+    pub fn verdict(text: impl Into<String>, tone: Tone) -> Self {
+        Cell::text(text).toned(tone)
+    }
+
+    /// The same cell, judged.
+    #[must_use]
+    pub fn toned(self, tone: Tone) -> Self {
+        Cell {
+            tone: Some(tone),
+            ..self
+        }
+    }
+
+    /// The same cell, coloured from 0 (pale) to 1 (dark).
+    #[must_use]
+    pub fn shaded(self, share: f64) -> Self {
+        Cell {
+            shade: share.is_finite().then_some(share.clamp(0.0, 1.0)),
+            ..self
+        }
+    }
+}
