@@ -1,5 +1,6 @@
 //! Arguments, output and exit codes; no numerics.
 
+mod about;
 mod case;
 mod cases;
 mod check;

@@ -2,6 +2,7 @@
 
 mod nonsmooth;
 
+use super::about::about;
 use super::{Bar, Color, Failure, Outcome, write_out};
 use clap::Args;
 use std::collections::HashSet;
@@ -170,7 +171,7 @@ impl Reproduce {
     fn write(&self, settings: &Settings, entries: &[Entry]) -> Result<(), Failure> {
         self.hand_out(
             || report::text::reproduction(entries, super::width(), self.color.is_on()),
-            |directory| report::write_directory(directory, settings, entries),
+            |directory| report::write_directory(directory, settings, entries, &about()),
             || report::json::reproduction(settings, entries),
         )
     }

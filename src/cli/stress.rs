@@ -1,6 +1,7 @@
 //! `volver stress`: digits and verdicts at the extremes.
 
 use super::Bar;
+use super::about::about;
 use super::{Color, Failure, Outcome, width, write_out};
 use clap::Args;
 use clap::builder::RangedU64ValueParser;
@@ -162,7 +163,7 @@ impl Stress {
             printed += &stress::text(cells, width(), self.color.is_on());
         }
         if let Some(directory) = &self.out {
-            let files = stress::write(directory, cells)?;
+            let files = stress::write(directory, cells, &about())?;
             if tables {
                 let _ = writeln!(printed, "{} files in {}", files.len(), directory.display());
             }

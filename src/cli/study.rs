@@ -7,6 +7,7 @@ mod levels;
 mod memory;
 mod methods;
 
+use super::about::about;
 use super::{Bar, Color, Failure, Outcome, write_out};
 use asked::Asking;
 use clap::Args;
@@ -204,7 +205,7 @@ impl Study {
             printed += &study::text(results, super::width(), self.color.is_on());
         }
         if let Some(directory) = &self.out {
-            let files = study::write(directory, results)?;
+            let files = study::write(directory, results, &about())?;
             if self.prints_table() {
                 // The journal is one of them.
                 let _ = writeln!(

@@ -1,5 +1,6 @@
 //! `volver verify`: a kernel put to the test.
 
+use super::about::about;
 use super::kernel::{KERNELS, KernelArguments, subjects};
 use super::{Bar, Color, Failure, Outcome, width, write_out};
 use clap::{Args, ValueEnum};
@@ -150,7 +151,7 @@ impl Verify {
 
     fn hand_out(&self, verification: &Verification) -> Result<(), Failure> {
         if let Some(directory) = &self.out {
-            shown::write(directory, verification)?;
+            shown::write(directory, verification, &about())?;
         }
         for (option, file) in self.outputs() {
             let text = match option {

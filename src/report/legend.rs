@@ -64,6 +64,25 @@ pub(super) fn meaning(verdict: Verdict) -> &'static str {
     }
 }
 
+/// What the columns of a document say; a word and its meaning each.
+pub(super) const WORDS: [(&str, &str); 3] = [
+    (
+        "protocol",
+        "the paper's way, here: the slope of one line through log|error| at all of n = 8 … 1024 in binary64, \
+         roundoff and all. With replicas, of the first run alone",
+    ),
+    (
+        "order",
+        "the asymptotic order, fitted only at the levels where neighbouring levels agree and roundoff is far away, \
+         ± half of its interval. With replicas it is the order of the standard deviation; of the bias where the method \
+         stalled. Without levels it is that of the last pair, and ± is a spread",
+    ),
+    (
+        "levels n",
+        "the first and the last level of that fit. In the plots their marks are filled",
+    ),
+];
+
 /// How often each verdict occurs, the most frequent first, equals in order of appearance.
 pub(super) fn counts(entries: &[Entry]) -> Vec<(Verdict, usize)> {
     let mut counts: Vec<(Verdict, usize)> = Vec::new();

@@ -132,16 +132,9 @@ fn notes(group: &Group<'_>, text: &mut String) -> fmt::Result {
 
 fn words(entries: &[Entry], text: &mut String) -> fmt::Result {
     writeln!(text, "## Words\n")?;
-    writeln!(
-        text,
-        "- **protocol**: the paper's way, here: the slope of one line through log|error| at all of \
-         n = 8 … 1024 in binary64, roundoff and all. With replicas, of the first run alone.\n\
-         - **order**: the asymptotic order, fitted only at the levels where neighbouring levels agree \
-         and roundoff is far away, ± half of its interval. With replicas it is the order of the standard \
-         deviation; of the bias where the method stalled. Without levels it is that of the last pair, and \
-         ± is a spread.\n\
-         - **levels n**: the first and the last level of that fit. In the plots their marks are filled."
-    )?;
+    for (word, meaning) in legend::WORDS {
+        writeln!(text, "- **{word}**: {meaning}.")?;
+    }
     for (verdict, count) in legend::counts(entries) {
         writeln!(
             text,

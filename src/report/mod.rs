@@ -25,11 +25,13 @@ pub mod json;
 mod legend;
 pub mod markdown;
 pub mod nonsmooth;
+pub mod page;
 mod preflight;
 pub mod stress;
 pub mod study;
 pub mod svg;
 pub mod text;
+mod tone;
 pub mod verify;
 mod write;
 

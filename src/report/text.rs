@@ -102,16 +102,7 @@ impl Page {
             legend::window(entry),
         ]);
         let mark = if entry.note.is_some() { " *" } else { "" };
-        let style = match entry.verdict {
-            verdict if verdict.passes(Some(entry.expected)) => Style::Good,
-            Verdict::TooLow
-            | Verdict::TooHigh
-            | Verdict::Stalled
-            | Verdict::Diverged
-            | Verdict::NotFinite => Style::Bad,
-            _ => Style::Open,
-        };
-        let verdict = self.paint(entry.verdict.name(), style);
+        let verdict = self.paint(entry.verdict.name(), style(entry));
         let _ = writeln!(text, "{cells}  {verdict}{mark}");
     }
 
@@ -146,6 +137,19 @@ impl Page {
 
     fn paint(&self, text: &str, style: Style) -> String {
         paint(text, style, self.color)
+    }
+}
+
+/// How good or bad an entry's verdict is.
+pub(super) fn style(entry: &Entry) -> Style {
+    match entry.verdict {
+        verdict if verdict.passes(Some(entry.expected)) => Style::Good,
+        Verdict::TooLow
+        | Verdict::TooHigh
+        | Verdict::Stalled
+        | Verdict::Diverged
+        | Verdict::NotFinite => Style::Bad,
+        _ => Style::Open,
     }
 }
 

@@ -1,16 +1,17 @@
 //! Reports as files: each is complete or not there at all.
 
-use super::{ReportError, groups, json, markdown, svg};
+use super::html::{About, place};
+use super::{ReportError, groups, json, markdown, page, svg};
 use crate::study::reproduce::{Entry, Settings};
 use std::fs;
 use std::io::{self, Write};
 use std::path::{Path, PathBuf};
 
-/// Writes `report.md`, `report.json` and one plot a table (`table-1-exact.svg` …) into `dir`, which
-/// is made where it does not exist. Returns the paths written.
+/// Writes `report.md`, `report.json`, one plot a table (`table-1-exact.svg` …) and a page, `index.html`, into `dir`,
+/// which is made where it does not exist. Returns the paths written.
 ///
-/// All contents are made before the first file is; each file appears whole (see [`write_file`]), the
-/// report last, so that it never links to a plot that is missing. Other files in `dir` stay.
+/// Each file appears whole (see [`write_file`]), the report behind its plots, so that it never links to a plot that
+/// is missing, and the page last. Other files in `dir` stay; [`place`] says what the page is called beside other pages.
 ///
 /// # Errors
 ///
@@ -19,6 +20,7 @@ pub fn write_directory(
     dir: &Path,
     settings: &Settings,
     entries: &[Entry],
+    about: &About,
 ) -> Result<Vec<PathBuf>, ReportError> {
     let mut files = Vec::new();
     for group in groups(entries) {
@@ -33,7 +35,9 @@ pub fn write_directory(
         dir.join("report.md"),
         markdown::reproduction(settings, entries),
     ));
-    write_files(dir, files)
+    let mut paths = write_files(dir, files)?;
+    paths.push(place(dir, &page::reproduction(settings, entries, about))?);
+    Ok(paths)
 }
 
 /// Writes contents, made before, into `dir` in their order; `dir` is made where it does not exist. Returns the
@@ -114,27 +118,33 @@ mod tests {
     fn a_directory_gets_report_json_and_plots() {
         let parent = tempfile::tempdir().unwrap();
         let dir = parent.path().join("a/b");
+        let about = About::new(["volver"]);
         let entries = [
             entry("simpson", "boole"),
             replicated("monte-carlo", "boole"),
         ];
-        let paths = write_directory(&dir, &Settings::default(), &entries).unwrap();
+        let paths = write_directory(&dir, &Settings::default(), &entries, &about).unwrap();
         assert_eq!(
             names(&dir),
-            ["report.json", "report.md", "table-1-exact.svg"]
+            [
+                "index.html",
+                "report.json",
+                "report.md",
+                "table-1-exact.svg"
+            ]
         );
-        assert_eq!(paths.len(), 3);
+        assert_eq!(paths.len(), 4);
         let before: Vec<String> = paths
             .iter()
             .map(|p| fs::read_to_string(p).unwrap())
             .collect();
-        write_directory(&dir, &Settings::default(), &entries).unwrap();
+        write_directory(&dir, &Settings::default(), &entries, &about).unwrap();
         let after: Vec<String> = paths
             .iter()
             .map(|p| fs::read_to_string(p).unwrap())
             .collect();
         assert_eq!(before, after);
-        assert_eq!(names(&dir).len(), 3);
+        assert_eq!(names(&dir).len(), 4);
     }
 
     #[test]
@@ -143,7 +153,8 @@ mod tests {
         let file = parent.path().join("file");
         fs::write(&file, "mine").unwrap();
         let dir = file.join("report");
-        let error = write_directory(&dir, &Settings::default(), &[]).unwrap_err();
+        let about = About::new(["volver"]);
+        let error = write_directory(&dir, &Settings::default(), &[], &about).unwrap_err();
         assert!(matches!(&error, ReportError::Directory { path, .. } if *path == dir));
         assert!(error.to_string().contains(&dir.display().to_string()));
         let error = write_file(&dir, "x").unwrap_err();

@@ -1,6 +1,7 @@
 //! `volver reproduce --nonsmooth`: what jumps and kinks cost.
 
 use super::Reproduce;
+use crate::cli::about::about;
 use crate::cli::{Bar, Failure, Outcome, width};
 use volver::report::nonsmooth::{json, text, write};
 use volver::study::nonsmooth::{Cell, measure, work};
@@ -13,7 +14,7 @@ impl Reproduce {
         let cells = cells.map_err(|error| Failure::Usage(error.to_string()))?;
         self.hand_out(
             || text(&cells, width(), self.color.is_on()),
-            |directory| write(directory, &cells),
+            |directory| write(directory, &cells, &about()),
             || json(&cells),
         )?;
         Ok(if cells.iter().any(Cell::contradicts_theory) {

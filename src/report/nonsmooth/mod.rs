@@ -1,5 +1,6 @@
 //! The table of jumps and kinks: for a terminal, as a document, for programs.
 
+mod html;
 mod json;
 mod markdown;
 #[cfg(test)]
@@ -7,11 +8,13 @@ mod tests;
 mod text;
 mod words;
 
+pub use html::page;
 pub use json::json;
 pub use markdown::markdown;
 pub use text::text;
 
 use super::ReportError;
+use super::html::{About, place};
 use super::write::write_files;
 use crate::study::nonsmooth::{Cell, Kind};
 use std::path::{Path, PathBuf};
@@ -28,15 +31,17 @@ fn rows(cells: &[Cell], kind: Kind) -> Vec<(&'static str, Vec<&Cell>)> {
     rows
 }
 
-/// Writes `nonsmooth.json` and `nonsmooth.md` into `dir`, which is made where it does not exist; returns the
-/// paths written. Other files in `dir` stay.
+/// Writes `nonsmooth.json`, `nonsmooth.md` and a page, `index.html` or `nonsmooth.html`, into `dir`, which is made where it does not exist; returns the
+/// paths written. Other files in `dir` stay, see [`place`].
 ///
 /// # Errors
 /// [`ReportError::Directory`] or [`ReportError::File`] with the path and the system's reason.
-pub fn write(dir: &Path, cells: &[Cell]) -> Result<Vec<PathBuf>, ReportError> {
+pub fn write(dir: &Path, cells: &[Cell], about: &About) -> Result<Vec<PathBuf>, ReportError> {
     let files = [
         (dir.join("nonsmooth.json"), json(cells)?),
         (dir.join("nonsmooth.md"), markdown(cells)),
     ];
-    write_files(dir, files)
+    let mut paths = write_files(dir, files)?;
+    paths.push(place(dir, &page(cells, about))?);
+    Ok(paths)
 }

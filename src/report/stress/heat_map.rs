@@ -15,7 +15,7 @@ const LEFT: f64 = 140.0;
 const TOP: f64 = 132.0;
 const LINE: f64 = 15.0;
 /// Digits of the darkest colour.
-const MOST: f64 = 16.0;
+pub(super) const MOST: f64 = 16.0;
 const LIGHT: RGBColor = RGBColor(0xFD, 0xF0, 0xC8);
 const MIDDLE: RGBColor = RGBColor(0x35, 0xA0, 0x8C);
 const DARK: RGBColor = RGBColor(0x1B, 0x2A, 0x6B);

@@ -1,17 +1,20 @@
 //! The extremes: for a terminal, as a document with a heat map, for programs.
 
 mod heat_map;
+mod html;
 mod json;
 mod markdown;
 mod text;
 mod words;
 
 pub use heat_map::heat_map;
+pub use html::page;
 pub use json::json;
 pub use markdown::markdown;
 pub use text::text;
 
 use super::ReportError;
+use super::html::{About, place};
 use super::write::write_files;
 use crate::study::stress::Cell;
 use std::path::{Path, PathBuf};
@@ -53,16 +56,18 @@ impl<'a> Grid<'a> {
     }
 }
 
-/// Writes `stress.json`, `stress.md` and `stress.svg` into `dir`, which is made where it does not exist; returns
+/// Writes `stress.json`, `stress.md`, `stress.svg` and a page, `index.html`, into `dir`, which is made where it does not exist; returns
 /// the paths written. Other files in `dir` stay.
 ///
 /// # Errors
 /// [`ReportError::Directory`] or [`ReportError::File`] with the path and the system's reason.
-pub fn write(dir: &Path, cells: &[Cell]) -> Result<Vec<PathBuf>, ReportError> {
+pub fn write(dir: &Path, cells: &[Cell], about: &About) -> Result<Vec<PathBuf>, ReportError> {
     let files = [
         (dir.join("stress.svg"), heat_map(cells)?),
         (dir.join("stress.json"), json(cells)?),
         (dir.join("stress.md"), markdown(cells)),
     ];
-    write_files(dir, files)
+    let mut paths = write_files(dir, files)?;
+    paths.push(place(dir, &page(cells, about))?);
+    Ok(paths)
 }

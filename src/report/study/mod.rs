@@ -1,6 +1,7 @@
 //! A study: for a terminal, as a document, for programs, for a paper.
 
 mod csv;
+mod html;
 mod json;
 mod latex;
 mod markdown;
@@ -11,23 +12,25 @@ mod text;
 pub(super) mod words;
 
 pub use csv::csv;
+pub use html::page;
 pub use json::json;
 pub use latex::latex;
 pub use markdown::markdown;
 pub use text::text;
 
+use super::html::{About, place};
 use super::{ReportError, svg, write_file};
 use crate::study::sweep::Results;
 use names::Figure;
 use std::fs;
 use std::path::{Path, PathBuf};
 
-/// Writes `study.csv`, `study.json`, `study.tex`, one plot a case and method, and `study.md`, which shows them,
-/// into `dir`; returns the paths written. Other files in `dir` stay.
+/// Writes `study.csv`, `study.json`, `study.tex`, one plot a case and method, `study.md`, which shows them, and a page,
+/// `index.html`, into `dir`; returns the paths written. Other files in `dir` stay.
 ///
 /// # Errors
 /// [`ReportError::Directory`] or [`ReportError::File`] with the path and the system's reason.
-pub fn write(dir: &Path, results: &Results) -> Result<Vec<PathBuf>, ReportError> {
+pub fn write(dir: &Path, results: &Results, about: &About) -> Result<Vec<PathBuf>, ReportError> {
     fs::create_dir_all(dir).map_err(|reason| ReportError::Directory {
         path: dir.into(),
         reason,
@@ -59,5 +62,6 @@ pub fn write(dir: &Path, results: &Results) -> Result<Vec<PathBuf>, ReportError>
     put("study.json", &json(results)?)?;
     put("study.tex", &latex(results))?;
     put("study.md", &markdown(results))?;
+    paths.push(place(dir, &page(results, about))?);
     Ok(paths)
 }

@@ -159,7 +159,7 @@ fn cell(text: &str, width: usize, left: bool) -> String {
     }
 }
 
-fn style(verdict: Verdict, contradicts: bool) -> Style {
+pub(super) fn style(verdict: Verdict, contradicts: bool) -> Style {
     match verdict {
         _ if contradicts => Style::Bad,
         Verdict::Confirmed | Verdict::Exact => Style::Good,

@@ -21,6 +21,7 @@ mod mark;
 mod of_fit;
 mod panel;
 mod place;
+pub(super) mod plots;
 mod scale;
 mod slopes;
 mod split;

@@ -6,7 +6,7 @@ use plotters::style::text_anchor::HPos;
 
 /// Okabe and Ito's palette (2008), which colour-blind people can tell apart; its yellow is too
 /// light for lines on white.
-const PALETTE: [RGBColor; 7] = [
+pub(super) const PALETTE: [RGBColor; 7] = [
     RGBColor(0x00, 0x72, 0xB2),
     RGBColor(0xE6, 0x9F, 0x00),
     RGBColor(0x00, 0x9E, 0x73),

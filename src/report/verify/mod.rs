@@ -1,27 +1,34 @@
 //! A kernel put to the test: rows for a terminal as they come, a document with plots, JSON, `JUnit` XML.
 
+mod html;
 mod json;
 mod junit;
 mod markdown;
 mod text;
 mod words;
 
+pub use html::page;
 pub use json::json;
 pub use junit::junit;
 pub use markdown::markdown;
 pub use text::{closing, heading, row};
 
+use super::html::{About, place};
 use super::write::write_files;
 use super::{ReportError, svg};
 use crate::study::verify::{Line, Measured, Verification};
 use std::path::{Path, PathBuf};
 
-/// Writes `verify.md`, `verify.json`, `verify.xml` (`JUnit`) and one plot a channel into `dir`, which is made where it
-/// does not exist; returns the paths written. Other files in `dir` stay.
+/// Writes `verify.md`, `verify.json`, `verify.xml` (`JUnit`), one plot a channel and a page, `index.html`, into `dir`, which is
+/// made where it does not exist; returns the paths written. Other files in `dir` stay.
 ///
 /// # Errors
 /// [`ReportError::Directory`] or [`ReportError::File`] with the path and the system's reason.
-pub fn write(dir: &Path, verification: &Verification) -> Result<Vec<PathBuf>, ReportError> {
+pub fn write(
+    dir: &Path,
+    verification: &Verification,
+    about: &About,
+) -> Result<Vec<PathBuf>, ReportError> {
     let mut files = Vec::new();
     for line in &verification.lines {
         if let Some(plot) = plot(line)? {
@@ -31,7 +38,9 @@ pub fn write(dir: &Path, verification: &Verification) -> Result<Vec<PathBuf>, Re
     files.push((dir.join("verify.json"), json(verification)?));
     files.push((dir.join("verify.xml"), junit(verification)));
     files.push((dir.join("verify.md"), markdown(verification)));
-    write_files(dir, files)
+    let mut paths = write_files(dir, files)?;
+    paths.push(place(dir, &page(verification, about))?);
+    Ok(paths)
 }
 
 /// The convergence of one channel, where it has errors to draw.

@@ -136,7 +136,7 @@ pub fn closing(verification: &Verification, width: usize, color: bool) -> String
     text
 }
 
-fn style(standing: Standing) -> Style {
+pub(super) fn style(standing: Standing) -> Style {
     match standing {
         Standing::Confirmed => Style::Good,
         Standing::Contradicted | Standing::Failed => Style::Bad,

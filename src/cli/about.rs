@@ -1,0 +1,8 @@
+//! What a page says of its making.
+
+use volver::report::html::About;
+
+/// The command as it was given, on this machine.
+pub(crate) fn about() -> About {
+    About::new(std::env::args_os())
+}
