@@ -12,6 +12,7 @@ mod kernel;
 mod manufacture;
 mod progress;
 mod reference;
+mod report;
 mod reproduce;
 mod schema;
 mod stress;
@@ -61,6 +62,7 @@ pub(crate) enum Command {
     Manufacture(manufacture::Manufacture),
     Reference(reference::ReferenceValue),
     Study(Box<study::Study>),
+    Report(report::Report),
     Schema(schema::Schema),
     Completions(completions::Completions),
 }
@@ -78,6 +80,7 @@ impl Command {
             Command::Manufacture(arguments) => arguments.run(),
             Command::Reference(arguments) => arguments.run(),
             Command::Study(arguments) => arguments.run(),
+            Command::Report(arguments) => arguments.run(),
             Command::Schema(arguments) => arguments.run(),
             Command::Completions(arguments) => arguments.run(),
         }

@@ -7,6 +7,7 @@
 //! | [`json`] | everything, for programs |
 //! | [`svg`] | log–log convergence plots; cases along their ray |
 //! | [`html`] | one page that opens in a browser, of any report |
+//! | [`comparison`] | several reports on one page, what differs first |
 //! | [`write_directory`] | all of them as files |
 //! | [`nonsmooth`] | the table of jumps and kinks, as text, Markdown and JSON |
 //! | [`study`] | a study, as text, Markdown, JSON, CSV, LaTeX and plots |
@@ -16,6 +17,7 @@
 //! Nothing here computes an order: a report shows what [`Entry`](crate::study::reproduce::Entry) and
 //! [`Fit`](crate::convergence::Fit) hold.
 
+pub mod comparison;
 mod error;
 #[cfg(test)]
 mod fixture;

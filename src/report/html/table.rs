@@ -57,6 +57,16 @@ impl Column {
         }
     }
 
+    /// A column of numbers of any magnitude, whose cells have decimal logarithms to sort by.
+    #[must_use]
+    pub fn logarithm(title: impl Into<String>) -> Self {
+        let kind = Kind::Logarithm;
+        Column {
+            title: title.into(),
+            kind,
+        }
+    }
+
     /// A column of verdicts.
     #[must_use]
     pub fn verdict(title: impl Into<String>) -> Self {
@@ -76,6 +86,8 @@ pub enum Kind {
     Text,
     /// Sorted by [`Cell::sort`]; cells without one come last.
     Number,
+    /// The same, where that is the decimal logarithm of what is shown; compared by their ratio.
+    Logarithm,
     /// Sorted by tone, the worst first, then as text.
     Verdict,
 }
@@ -85,8 +97,7 @@ pub enum Kind {
 pub struct Cell {
     /// What is shown; it may have several lines.
     pub text: String,
-    /// What it is sorted and compared by, in a column of numbers: the number, or its logarithm where all cells have
-    /// theirs. Not a finite number is none.
+    /// What it is sorted and compared by, in a column of numbers or logarithms. Not a finite number is none.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub sort: Option<f64>,
     /// What its verdict amounts to; shown as a badge.

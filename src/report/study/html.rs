@@ -8,6 +8,7 @@ use crate::report::html::{About, Block, Cell, Column, Fact, Page, Section, Table
 use crate::report::svg::plots;
 use crate::report::tone::{counts, tone};
 use crate::study::sweep::{Line, Results, TOLERANCES};
+use std::f64::consts::LOG10_2;
 
 /// What [`markdown`](super::markdown()) says, with tables that sort and plots that answer.
 #[must_use]
@@ -114,7 +115,7 @@ fn table(lines: &[&Line]) -> Table {
         Column::number("q arithmetic"),
         Column::number("q input"),
         Column::number("n*"),
-        Column::number("best"),
+        Column::logarithm("best"),
     ];
     columns.extend(TOLERANCES.map(|t| Column::number(format!("bits for {t:e}"))));
     let mut table = Table::new("Orders and roundoff, a row a format", columns);
@@ -139,10 +140,9 @@ fn row(line: &Line) -> Vec<Cell> {
         ),
         Cell::number(exponent(laws.input), laws.input.map(|law| law.exponent)),
         Cell::number(crossing(line), summary.crossing),
-        // Its logarithm: the error may be below binary64's range.
         Cell::number(
             best(line),
-            summary.best.as_ref().map(|best| best.log2_error),
+            summary.best.as_ref().map(|best| best.log2_error * LOG10_2),
         ),
     ];
     cells.extend(summary.bits_needed.iter().map(|needed| match needed.bits {

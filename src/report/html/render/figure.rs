@@ -1,7 +1,7 @@
 //! A plot with its legend.
 
 use super::axes::{BOTTOM, HEIGHT, LEFT, RIGHT, Scales, TOP, WIDTH, axes, guides};
-use super::mark::{outline, path};
+use super::mark::{outline, path, size};
 use crate::report::html::{Plot, Point, Series, Stroke};
 use maud::{Markup, html};
 
@@ -40,7 +40,7 @@ fn legend(plot: &Plot) -> Markup {
                     svg.swatch viewBox="0 0 26 14" aria-hidden="true" {
                         @if series.line { path.line d="M1 7H25" {} }
                         @let point = Point::new(0.0, 0.0, "").filled();
-                        path.mark.filled d=(outline(&point, (13.0, 7.0), shape(index, series))) {}
+                        path.mark.filled d=(outline(&point, (13.0, 7.0), shape(index, series), 1.0)) {}
                     }
                     span { (series.name) }
                 }
@@ -74,10 +74,10 @@ fn drawing(plot: &Plot, scales: &Scales) -> Markup {
             (guides(plot, scales))
             @for (index, series) in plot.series.iter().enumerate() {
                 g.series.(color(index, series)) data-series=(index) data-name=(series.name) {
-                    (curve(series, scales))
+                    (curve(series, scales, size(index)))
                     @for point in &series.points {
                         @if let Some(at) = scales.at((point.x, point.y)) {
-                            path.mark.filled[point.filled] d=(outline(point, at, shape(index, series)))
+                            path.mark.filled[point.filled] d=(outline(point, at, shape(index, series), size(index)))
                                 data-x=(format!("{:.2}", at.0)) data-y=(format!("{:.2}", at.1)) data-label=(point.label) {}
                         }
                     }
@@ -87,7 +87,7 @@ fn drawing(plot: &Plot, scales: &Scales) -> Markup {
     }
 }
 
-fn curve(series: &Series, scales: &Scales) -> Markup {
+fn curve(series: &Series, scales: &Scales, size: f64) -> Markup {
     let line = series
         .points
         .iter()
@@ -101,7 +101,7 @@ fn curve(series: &Series, scales: &Scales) -> Markup {
                 }
             }
         }
-        @if series.line { path.line d=(path(line)) {} }
+        @if series.line { path.line d=(path(line)) stroke-width=(2.0 * size) {} }
     }
 }
 

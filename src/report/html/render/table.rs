@@ -37,7 +37,7 @@ pub(super) fn table(table: &Table) -> Markup {
 
 fn cell(cell: &Cell, kind: Kind, names_the_row: bool) -> Markup {
     let sort = match kind {
-        Kind::Number => cell.sort.filter(|sort| sort.is_finite()),
+        Kind::Number | Kind::Logarithm => cell.sort.filter(|sort| sort.is_finite()),
         Kind::Verdict => cell.tone.map(rank),
         Kind::Text => None,
     };
@@ -74,7 +74,7 @@ fn rank(tone: Tone) -> f64 {
 fn name(kind: Kind) -> &'static str {
     match kind {
         Kind::Text => "text",
-        Kind::Number => "number",
+        Kind::Number | Kind::Logarithm => "number",
         Kind::Verdict => "verdict",
     }
 }
