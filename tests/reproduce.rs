@@ -160,7 +160,10 @@ fn a_report_is_a_directory_of_whole_files() {
         .map(|file| file.unwrap().file_name().into_string().unwrap())
         .collect();
     files.sort();
-    assert_eq!(files, ["report.json", "report.md", "table-2.svg"]);
+    assert_eq!(
+        files,
+        ["index.html", "report.json", "report.md", "table-2.svg"]
+    );
     let report = fs::read_to_string(directory.join("report.md")).unwrap();
     assert!(report.contains("](table-2.svg)"), "{report}");
 }

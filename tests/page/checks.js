@@ -8,12 +8,14 @@
   // Colours as bytes, whatever notation they come in.
   const paper = Object.assign(document.createElement("canvas"), { width: 1, height: 1 });
   const brush = paper.getContext("2d", { willReadFrequently: true });
-  const bytes = (color, below = [255, 255, 255]) => {
-    brush.fillStyle = `rgb(${below})`;
-    brush.fillRect(0, 0, 1, 1);
-    brush.fillStyle = color;
-    brush.fillRect(0, 0, 1, 1);
-    return [...brush.getImageData(0, 0, 1, 1).data].slice(0, 3);
+  const known = new Map();
+  const bytes = (color) => {
+    if (!known.has(color)) {
+      brush.fillStyle = color;
+      brush.fillRect(0, 0, 1, 1);
+      known.set(color, [...brush.getImageData(0, 0, 1, 1).data].slice(0, 3));
+    }
+    return known.get(color);
   };
   const light = (color) => {
     const [r, g, b] = color.map((c) => (c / 255 <= 0.04045 ? c / 255 / 12.92 : ((c / 255 + 0.055) / 1.055) ** 2.4));

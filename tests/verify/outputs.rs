@@ -108,7 +108,7 @@ fn a_directory_holds_documents_and_a_plot_a_channel() {
     );
     assert_eq!(run.with_code(0).out, "");
     let plots = ["blue", "green", "red"].map(|channel| format!("rgb-transfer-{channel}.svg"));
-    let documents = ["verify.json", "verify.md", "verify.xml"].map(String::from);
+    let documents = ["index.html", "verify.json", "verify.md", "verify.xml"].map(String::from);
     let wanted: BTreeSet<String> = plots.iter().chain(&documents).cloned().collect();
     assert_eq!(names(&out), wanted);
     let markdown = fs::read_to_string(out.join("verify.md")).unwrap();

@@ -69,11 +69,11 @@ pub(super) fn change(before: &Cell, now: &Cell, kind: Kind) -> Option<Cell> {
     })
 }
 
-/// Three digits or so.
+/// Three decimals where they mean something, without zeros at the end.
 fn short(x: f64) -> String {
-    if x == 0.0 || (1e-3..1e4).contains(&x) {
-        format!("{x:.3}")
-    } else {
-        format!("{x:.1e}")
+    if x != 0.0 && !(1e-3..1e4).contains(&x) {
+        return format!("{x:.1e}");
     }
+    let text = format!("{x:.3}");
+    text.trim_end_matches('0').trim_end_matches('.').into()
 }

@@ -38,9 +38,11 @@ fn legend(plot: &Plot) -> Markup {
             @for (index, series) in plot.series.iter().enumerate() {
                 li.(color(index, series)) data-series=(index) {
                     svg.swatch viewBox="0 0 26 14" aria-hidden="true" {
-                        @if series.line { path.line d="M1 7H25" {} }
-                        @let point = Point::new(0.0, 0.0, "").filled();
-                        path.mark.filled d=(outline(&point, (13.0, 7.0), shape(index, series), 1.0)) {}
+                        @if series.line || !series.traces.is_empty() { path.line d="M1 7H25" {} }
+                        @if !series.points.is_empty() {
+                            @let point = Point::new(0.0, 0.0, "").filled();
+                            path.mark.filled d=(outline(&point, (13.0, 7.0), shape(index, series), 1.0)) {}
+                        }
                     }
                     span { (series.name) }
                 }

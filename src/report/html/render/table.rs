@@ -4,6 +4,10 @@ use super::{class, sign};
 use crate::report::html::{Cell, Kind, Table, Tone};
 use maud::{Markup, html};
 
+/// From this share on the text on a shade changes its colour: with the style sheet's, black and white have a contrast of
+/// 4.5 there in both themes.
+const FLIP: f64 = 0.69;
+
 pub(super) fn table(table: &Table) -> Markup {
     let empty = Cell::default();
     html! {
@@ -52,7 +56,7 @@ fn cell(cell: &Cell, kind: Kind, names_the_row: bool) -> Markup {
         .map(|share| format!("--share:{:.0}%", 100.0 * share));
     let shaded = cell
         .shade
-        .map(|share| if share > 0.55 { "dark" } else { "pale" });
+        .map(|share| if share > FLIP { "high" } else { "low" });
     html! {
         @if names_the_row {
             th scope="row" data-sort=[sort] { (content) }
