@@ -1,6 +1,6 @@
 # What a stranger runs and what CI runs are the same commands.
 
-.PHONY: reproduce test proofs lint kernels bench setup
+.PHONY: reproduce test proofs lint kernels page bench setup
 .DEFAULT_GOAL := reproduce
 
 # The main job: the paper's tables, measured again, and what lies beyond them; the report goes to reproduction/.
@@ -23,6 +23,10 @@ lint: setup
 # volver verify, for real: the kernels of examples/kernels, VTK's among them, which it installs from PyPI under target/.
 kernels: setup
 	examples/kernels/check
+
+# The page of every --out directory, read in headless Chromium, which is Debian's package; installs it where it is missing.
+page: setup
+	tests/page/check
 
 bench: setup
 	cargo bench --locked

@@ -1,5 +1,6 @@
 use super::latex::escape;
-use super::{csv, json, latex, markdown, text, write};
+use super::{csv, json, latex, markdown, page, text, write};
+use crate::report::html::{About, Block, render};
 use crate::study::sweep::fixture::results;
 use crate::study::sweep::{LevelRecord, Results, State};
 use serde_json::Value;
@@ -142,7 +143,8 @@ fn latex_and_markdown_escape_what_they_must() {
 #[test]
 fn a_directory_gets_everything_twice_the_same() {
     let directory = tempfile::tempdir().unwrap();
-    let paths = write(directory.path(), &odd()).unwrap();
+    let about = About::new(["volver"]);
+    let paths = write(directory.path(), &odd(), &about).unwrap();
     let read = || {
         paths
             .iter()
@@ -150,7 +152,7 @@ fn a_directory_gets_everything_twice_the_same() {
             .collect::<Vec<_>>()
     };
     let before = read();
-    write(directory.path(), &odd()).unwrap();
+    write(directory.path(), &odd(), &about).unwrap();
     assert_eq!(before, read());
     let names: Vec<_> = paths
         .iter()
@@ -164,7 +166,8 @@ fn a_directory_gets_everything_twice_the_same() {
             "study.csv",
             "study.json",
             "study.tex",
-            "study.md"
+            "study.md",
+            "index.html"
         ]
     );
     // One panel; n* and the least error beside the line; a map with a cell a level and format.
@@ -175,4 +178,59 @@ fn a_directory_gets_everything_twice_the_same() {
     );
     assert!(before[1].matches("<polygon").count() > 30);
     assert!(before[1].contains("correct decimal digits"));
+}
+
+#[test]
+fn a_page_has_the_tables_and_plots_of_the_document() {
+    let results = odd();
+    let page = page(&results, &About::new(["volver"]));
+    let document = markdown(&results).replace('\\', "");
+    let blocks = || page.sections.iter().flat_map(|section| &section.blocks);
+    let mut rows = 0;
+    let mut shades = 0;
+    for block in blocks() {
+        let Block::Table(table) = block else { continue };
+        shades += table
+            .rows
+            .iter()
+            .flatten()
+            .filter(|cell| cell.shade.is_some())
+            .count();
+        if table.columns[0].title == "format" {
+            for row in &table.rows {
+                rows += 1;
+                assert!(
+                    row.iter().all(|cell| document.contains(&cell.text)),
+                    "{row:?}"
+                );
+            }
+        }
+    }
+    let lines = results.lines.iter().filter(|line| !line.swept);
+    assert_eq!(rows, lines.clone().count());
+    assert!(shades > 10, "{shades}");
+    let plots: Vec<_> = blocks()
+        .filter_map(|block| match block {
+            Block::Plot(plot) => Some(plot),
+            _ => None,
+        })
+        .collect();
+    assert_eq!(plots.len(), lines.count());
+    let names: Vec<&str> = plots[0]
+        .series
+        .iter()
+        .map(|series| &series.name[..])
+        .collect();
+    assert!(
+        names[0] == "total" && names[1].starts_with("discretization"),
+        "{names:?}"
+    );
+    assert!(
+        plots[0].guides[0].label.contains("n* = 362"),
+        "{:?}",
+        plots[0].guides
+    );
+    for remark in ["Refused: ", "NotFinite: "] {
+        assert!(render(&page).unwrap().contains(remark), "{remark}");
+    }
 }
