@@ -47,8 +47,11 @@ impl Scales {
         })
     }
 
+    /// The place of a point, where it has one within reach of the frame: a page that was read may say anything.
     pub(super) fn at(&self, (x, y): (f64, f64)) -> Option<(f64, f64)> {
-        (x.is_finite() && y.is_finite()).then(|| (self.x.pixel(x), self.y.pixel(y)))
+        let place = (self.x.pixel(x), self.y.pixel(y));
+        let is_near = |pixel: f64| pixel.abs() < 1e6;
+        (is_near(place.0) && is_near(place.1)).then_some(place)
     }
 }
 

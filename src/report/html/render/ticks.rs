@@ -62,7 +62,23 @@ fn decades(scale: &Scale, span: f64) -> Vec<Tick> {
             ticks.push(Tick { at, label });
         }
     }
-    ticks
+    let labels = ticks.iter().filter(|tick| tick.label.is_some()).count();
+    if labels >= 2 {
+        ticks
+    } else {
+        even(scale, span)
+    }
+}
+
+/// Where no round numbers are: places at equal distances, with three digits.
+fn even(scale: &Scale, span: f64) -> Vec<Tick> {
+    let at = |share: f64| scale.low + share * span;
+    [0.125, 0.375, 0.625, 0.875]
+        .map(|share| Tick {
+            at: at(share),
+            label: Some(digits(at(share))),
+        })
+        .into()
 }
 
 fn linear(at: f64, step: f64) -> String {
@@ -94,6 +110,21 @@ fn multiple(digit: u8, decade: f64) -> String {
         1 => format!("10{exponent}"),
         _ => format!("{digit}·10{exponent}"),
     }
+}
+
+/// "316", "3.16·10⁻⁷", of a decimal logarithm.
+fn digits(log10: f64) -> String {
+    let decade = log10.floor();
+    let mantissa = 10_f64.powf(log10 - decade);
+    if (0.0..=3.0).contains(&decade) {
+        let value = mantissa * 10_f64.powf(decade);
+        return if decade < 2.0 {
+            format!("{value:.2}")
+        } else {
+            format!("{value:.0}")
+        };
+    }
+    format!("{mantissa:.2}·{}", multiple(1, decade))
 }
 
 fn raised(c: char) -> char {
@@ -129,6 +160,10 @@ mod tests {
         assert_eq!(labels(0.9, 1.8, log), ["10", "20", "50"]);
         assert_eq!(labels(-400.0, -1.0, log)[0], "10⁻⁴⁰⁰");
         assert_eq!(multiple(5, -7.0), "5·10⁻⁷");
+        // Between 3.0 and 3.9 times a power of ten nothing is round.
+        assert_eq!(labels(-6.52, -6.41, log).len(), 4);
+        assert_eq!(digits(-6.5), "3.16·10⁻⁷");
+        assert_eq!(digits(2.5), "316");
     }
 
     #[test]
