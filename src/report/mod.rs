@@ -4,6 +4,7 @@
 //! |---|---|
 //! | [`text`] | for the terminal: the paper's figure beside the order, row by row |
 //! | [`markdown`] | the same as a document, with plots |
+//! | [`page`] | the same as a page, with tables that sort and plots that answer |
 //! | [`json`] | everything, for programs |
 //! | [`svg`] | log–log convergence plots; cases along their ray |
 //! | [`html`] | one page that opens in a browser, of any report |

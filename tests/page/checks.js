@@ -132,7 +132,7 @@
       const title = `column '${head.textContent}' of '${table.caption.textContent}'`;
       const button = head.querySelector("button");
       if (!button) return check(false, `${title} is no button`);
-      const texts = () => rows().map((row) => row.cells[index].innerText.trim());
+      const texts = () => rows().map((row) => row.cells[index].textContent.trim());
       const values = (list) => list.map(number).filter((value) => !Number.isNaN(value));
       const sorted = (list, sign) => list.every((value, at) => at === 0 || sign * (value - list[at - 1]) >= 0);
       const ranks = () => rows().map((row) => row.cells[index].querySelector(".badge"))

@@ -9,7 +9,7 @@ use maud::{Markup, html};
 pub(super) const WIDTH: f64 = 480.0;
 pub(super) const HEIGHT: f64 = 340.0;
 /// The frame within it.
-pub(super) const LEFT: f64 = 66.0;
+pub(super) const LEFT: f64 = 74.0;
 pub(super) const TOP: f64 = 10.0;
 pub(super) const RIGHT: f64 = 470.0;
 pub(super) const BOTTOM: f64 = 292.0;

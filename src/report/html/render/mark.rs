@@ -1,4 +1,4 @@
-//! The marks of a plot: their shape tells the series, their filling what [`Point::filled`] says.
+//! The marks of a plot: their shape tells the series, their filling whether they are filled points.
 
 use crate::report::html::Point;
 use std::fmt::Write;
