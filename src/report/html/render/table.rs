@@ -4,6 +4,9 @@ use super::{class, sign};
 use crate::report::html::{Cell, Kind, Table, Tone};
 use maud::{Markup, html};
 
+/// Tables of more columns are set smaller on paper.
+const WIDE: usize = 9;
+
 /// From this share on the text on a shade changes its colour: with the style sheet's, black and white have a contrast of
 /// 4.5 there in both themes.
 const FLIP: f64 = 0.69;
@@ -12,7 +15,7 @@ pub(super) fn table(table: &Table) -> Markup {
     let empty = Cell::default();
     html! {
         // The box scrolls, not the page, and keyboards have to reach it.
-        div.scroll tabindex="0" role="region" aria-label=(table.caption) {
+        div.scroll.wide[table.columns.len() > WIDE] tabindex="0" role="region" aria-label=(table.caption) {
             table {
                 caption { (table.caption) }
                 thead {
