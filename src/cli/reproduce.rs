@@ -70,7 +70,7 @@ pub(crate) struct Reproduce {
     /// Write all of it as one JSON document; - is standard output, without tables
     #[arg(long, value_name = "FILE")]
     json: Option<PathBuf>,
-    /// Write the report, as Markdown and JSON with SVG plots, into a directory
+    /// Write the report, as a page, Markdown and JSON with SVG plots, into a directory
     #[arg(long, value_name = "DIR")]
     out: Option<PathBuf>,
     /// Print no tables

@@ -60,7 +60,7 @@ pub(crate) struct Stress {
     /// Write all of it as one JSON document; - is standard output, without tables
     #[arg(long, value_name = "FILE")]
     json: Option<PathBuf>,
-    /// Write the report, as Markdown and JSON with an SVG heat map, into a directory
+    /// Write the report, as a page, Markdown and JSON with an SVG heat map, into a directory
     #[arg(long, value_name = "DIR")]
     out: Option<PathBuf>,
     /// Print no tables

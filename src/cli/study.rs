@@ -69,7 +69,7 @@ pub(crate) struct Study {
     /// Map correct digits over n and the bits of mpfr:A to mpfr:B
     #[arg(long, value_name = "A..B")]
     sweep_bits: Option<String>,
-    /// Keep results, tables and plots in a directory
+    /// Keep results, a page, tables and plots in a directory
     #[arg(long, value_name = "DIR")]
     out: Option<PathBuf>,
     /// Go on with the results in the directory

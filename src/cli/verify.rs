@@ -58,7 +58,8 @@ pub(crate) struct Verify {
     /// Write JUnit XML, which CI servers show; - as above
     #[arg(long, value_name = "FILE")]
     junit: Option<PathBuf>,
-    /// Write the report, as Markdown, JSON and JUnit XML with SVG plots, into a directory
+    /// Write the report, as a page, Markdown, JSON and JUnit XML with SVG plots, into a
+    /// directory
     #[arg(long, value_name = "DIR")]
     out: Option<PathBuf>,
     /// Keep what came out, for 'volver check'; - as above
