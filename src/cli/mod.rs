@@ -10,10 +10,13 @@ mod fit;
 mod input;
 mod kernel;
 mod manufacture;
+mod plan;
 mod progress;
 mod reference;
+mod render;
 mod report;
 mod reproduce;
+mod scene;
 mod schema;
 mod stress;
 mod study;
@@ -40,6 +43,7 @@ Examples:
   volver manufacture rgb-transfer --code python
   volver reference sine-squared --digits 100
   volver stress --scenarios depth --formats f16,f32
+  volver plan examples/scenes/smoke.toml --tolerance 1e-4
   volver completions bash";
 
 /// Verifies approximations of the volume rendering integral.
@@ -63,6 +67,8 @@ pub(crate) enum Command {
     Reference(reference::ReferenceValue),
     Study(Box<study::Study>),
     Report(report::Report),
+    Plan(plan::PlanScene),
+    Render(render::Render),
     Schema(schema::Schema),
     Completions(completions::Completions),
 }
@@ -81,6 +87,8 @@ impl Command {
             Command::Reference(arguments) => arguments.run(),
             Command::Study(arguments) => arguments.run(),
             Command::Report(arguments) => arguments.run(),
+            Command::Plan(arguments) => arguments.run(),
+            Command::Render(arguments) => arguments.run(),
             Command::Schema(arguments) => arguments.run(),
             Command::Completions(arguments) => arguments.run(),
         }

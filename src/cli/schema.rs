@@ -3,6 +3,8 @@
 use super::{Failure, Outcome, write_out};
 use clap::{Args, ValueEnum};
 use volver::kernel::process;
+use volver::scene::SceneFile;
+use volver::study::plan::StoredPlan;
 use volver::study::sweep::StudyFile;
 
 const EXAMPLES: &str = "\
@@ -25,11 +27,15 @@ pub(crate) struct Schema {
 #[derive(Clone, Copy, ValueEnum)]
 enum Name {
     Study,
+    Scene,
+    Plan,
     Protocol,
 }
 
 const ALL: &str = "\
 study     the file that 'volver study' takes
+scene     a scene.toml, for 'volver plan' and 'volver render'
+plan      what 'volver plan --json' writes and 'volver render --plan' reads
 protocol  what a kernel in a process of its own and volver say to each other
 ";
 
@@ -41,6 +47,8 @@ impl Schema {
                 return Ok(Outcome::Good);
             }
             Some(Name::Study) => StudyFile::schema(),
+            Some(Name::Scene) => SceneFile::schema(),
+            Some(Name::Plan) => StoredPlan::schema(),
             Some(Name::Protocol) => process::schema(),
         };
         let text = serde_json::to_string_pretty(&schema);

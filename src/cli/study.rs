@@ -12,6 +12,7 @@ use super::{Bar, Color, Failure, Outcome, write_out};
 use asked::Asking;
 use clap::Args;
 use formats::Formats;
+pub(super) use formats::names as format_names;
 use std::fmt::{Display, Write};
 use std::path::{Path, PathBuf};
 use std::thread;

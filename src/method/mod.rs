@@ -31,6 +31,7 @@ pub use limit::{Limit, Part};
 pub use name::MethodNameError;
 pub use nested::Nested;
 pub use outer::{Outer, Transmittances};
+pub(crate) use preintegrated::attenuated_integral;
 pub use preintegrated::{
     Color, Integration, Interpolant, LastSegment, Opacity, Preintegrated, composite,
 };

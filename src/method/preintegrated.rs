@@ -13,6 +13,7 @@ pub use color::Color;
 pub use integration::Integration;
 pub use interpolant::{Interpolant, LastSegment};
 pub use opacity::Opacity;
+pub(crate) use series::attenuated_integral;
 
 use super::{Limit, MethodError, Part};
 use crate::case::{Nodes, Number, Structure};

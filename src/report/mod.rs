@@ -29,6 +29,7 @@ mod legend;
 pub mod markdown;
 pub mod nonsmooth;
 pub mod page;
+pub mod plan;
 mod preflight;
 pub mod stress;
 pub mod study;

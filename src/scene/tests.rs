@@ -61,7 +61,7 @@ impl PartialEq for Form {
 #[test]
 fn media_are_cut_where_they_are_not_analytic() {
     let scene = medium(
-        "kind = 'expression'\nextinction = 'piecewise(lambda < 1/3: 1; 2)'\nemission = 'abs(lambda^2 - 2)'",
+        "kind = 'expression'\nextinction = 'piecewise(lambda < 1/3, 1, 2)'\nemission = 'abs(lambda^2 - 2)'",
     )
     .unwrap();
     let pieces = &scene.media()[0].pieces;

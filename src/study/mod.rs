@@ -1,6 +1,7 @@
 //! What to run, and running it: methods × levels × formats, node values shared.
 
 pub mod nonsmooth;
+pub mod plan;
 pub mod reproduce;
 mod run;
 pub mod stress;

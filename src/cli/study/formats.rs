@@ -93,7 +93,7 @@ fn sweep_bits(
 }
 
 /// The names in a list: a number behind a comma belongs to the format before it, as in `ieee:11,-14,15`.
-fn names(text: &str) -> Vec<String> {
+pub(in crate::cli) fn names(text: &str) -> Vec<String> {
     let mut names: Vec<String> = Vec::new();
     for part in split(text) {
         let is_number = part.starts_with(|c: char| c.is_ascii_digit() || c == '-' || c == '+');

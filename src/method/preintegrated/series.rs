@@ -17,7 +17,7 @@ const MAX_PIECES: f64 = 65536.0;
 ///
 /// # Errors
 /// [`MethodError::ThickSegment`] where Σ|θₖ| exceeds 65536.
-pub(super) fn attenuated_integral<R: Real>(source: &[R], depth: &[R]) -> Result<R, MethodError> {
+pub(crate) fn attenuated_integral<R: Real>(source: &[R], depth: &[R]) -> Result<R, MethodError> {
     let Some(first) = source.first() else {
         return Err(MethodError::NoClosedForm);
     };

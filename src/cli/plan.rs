@@ -1,0 +1,172 @@
+//! `volver plan`: the least model of a scene that is enough.
+
+use super::scene::load;
+use super::{Color, Failure, Outcome, width, write_out};
+use clap::{Args, ValueEnum};
+use std::path::{Path, PathBuf};
+use std::str::FromStr;
+use volver::real::FormatName;
+use volver::report::{self, plan as pages};
+use volver::study::plan::{Cost, Plan, Settings};
+use volver::symbolic::parse_number;
+
+const EXAMPLES: &str = "\
+SCENE is a scene.toml: docs/scenes.md and 'volver schema scene' say what is in it.
+For every stretch of the ray the least model is chosen whose error, bounded, leaves
+the radiance of every channel within the tolerance: nothing, emission or absorption
+alone, a closed form, or so many points; and the shortest format that rounds little
+enough. Then the plan is run and compared with the radiance to many digits.
+
+The exit code is 1 where the radiance is not within the tolerance.
+
+Examples:
+  volver plan examples/scenes/smoke.toml --tolerance 1e-4
+  volver plan examples/scenes/smoke.toml --tolerance 1e-6 --explain
+  volver plan examples/scenes/chest.toml --tolerance 1e-3 --format f16,f32 --json -
+  volver plan examples/scenes/smoke.toml --tolerance 1e-20 --quiet";
+
+/// Find the least model of a scene that is enough for a tolerance
+#[derive(Args)]
+#[command(after_help = EXAMPLES)]
+pub(crate) struct PlanScene {
+    /// A scene.toml; - for standard input
+    #[arg(value_name = "SCENE")]
+    scene: String,
+    /// How far the radiance of each channel may be from the exact one
+    #[arg(long, value_name = "E", value_parser = tolerance)]
+    tolerance: f64,
+    /// Formats that may be used, by commas, repeatable [default: f32, f64, and as many
+    /// bits of mpfr as it takes]
+    #[arg(long = "format", value_name = "FORMATS")]
+    formats: Vec<String>,
+    /// What is to be little
+    #[arg(long, value_enum, default_value = "evaluations", value_name = "WHAT")]
+    cost: CostName,
+    /// Show the arithmetic of every bound
+    #[arg(long)]
+    explain: bool,
+    /// Do not run the plan
+    #[arg(long)]
+    no_check: bool,
+    /// Write the plan as JSON, for 'volver render'; - is standard output, without the
+    /// table
+    #[arg(long, value_name = "FILE")]
+    json: Option<PathBuf>,
+    /// Keep plan.json, plan.md and index.html in a directory
+    #[arg(long, value_name = "DIR")]
+    out: Option<PathBuf>,
+    /// Print no table
+    #[arg(long)]
+    quiet: bool,
+    /// Colour the verdict
+    #[arg(long, value_enum, default_value = "auto", value_name = "WHEN")]
+    color: Color,
+}
+
+/// What may be little.
+#[derive(Clone, Copy, ValueEnum)]
+enum CostName {
+    Evaluations,
+    Time,
+}
+
+fn tolerance(text: &str) -> Result<f64, String> {
+    let value = parse_number(text).ok().map(|q| q.to_f64());
+    let value = value.filter(|x| x.is_finite() && *x >= f64::MIN_POSITIVE);
+    value.ok_or_else(|| "no tolerance (allowed: a number above 0, such as 1e-4)".into())
+}
+
+impl PlanScene {
+    pub(crate) fn run(self) -> Result<Outcome, Failure> {
+        let formats = self.formats()?;
+        if let Some(directory) = &self.out {
+            report::prepare_directory(directory)?;
+        }
+        let json = self.json.as_deref();
+        if let Some(file) = json.filter(|file| *file != Path::new("-")) {
+            report::check_file(file)?;
+        }
+        let scene = load(&self.scene)?;
+        let settings = Settings {
+            tolerance: self.tolerance,
+            formats,
+            cost: self.cost(),
+        };
+        let wrong = |error: volver::study::plan::PlanError| Failure::Content {
+            path: self.scene.clone(),
+            error: error.into(),
+        };
+        let mut plan = Plan::new(&scene, &settings).map_err(wrong)?;
+        let mut outcome = Outcome::Good;
+        if !self.no_check {
+            let checked = plan.check().map_err(wrong)?;
+            let is_beyond = checked
+                .channels
+                .iter()
+                .any(|c| c.error.is_nan() || c.error > self.tolerance);
+            if is_beyond {
+                outcome = Outcome::CheckFailed;
+            }
+        }
+        self.hand_out(&plan)?;
+        Ok(outcome)
+    }
+
+    fn formats(&self) -> Result<Vec<FormatName>, Failure> {
+        let mut formats = Vec::new();
+        for name in self
+            .formats
+            .iter()
+            .flat_map(|text| super::study::format_names(text))
+        {
+            let format = FormatName::from_str(&name)
+                .map_err(|error| Failure::Usage(format!("--format: {error}")))?;
+            if matches!(format, FormatName::Fixed(_)) {
+                return Err(Failure::Usage(format!(
+                    "--format: '{format}' holds no optical depths (allowed: floating-point formats)"
+                )));
+            }
+            if formats.contains(&format) {
+                return Err(Failure::Usage(format!(
+                    "--format: '{format}' a second time (allowed: each format once)"
+                )));
+            }
+            formats.push(format);
+        }
+        if formats.is_empty() && !self.formats.is_empty() {
+            return Err(Failure::Usage(
+                "--format: no formats (allowed: one or more)".into(),
+            ));
+        }
+        Ok(formats)
+    }
+
+    fn cost(&self) -> Cost {
+        match self.cost {
+            CostName::Evaluations => Cost::Evaluations,
+            CostName::Time => Cost::Time(super::scene::time_cost()),
+        }
+    }
+
+    fn hand_out(&self, plan: &Plan) -> Result<(), Failure> {
+        if let Some(directory) = &self.out {
+            pages::write(directory, plan)?;
+        }
+        let prints_json = self.json.as_deref() == Some(Path::new("-"));
+        if let Some(file) = self.json.as_deref().filter(|_| !prints_json) {
+            report::write_file(file, &pages::json(plan)?)?;
+        }
+        if prints_json {
+            write_out(&pages::json(plan)?)
+        } else if self.quiet {
+            Ok(())
+        } else {
+            write_out(&pages::text(
+                plan,
+                self.explain,
+                width(),
+                self.color.is_on(),
+            ))
+        }
+    }
+}

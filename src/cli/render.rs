@@ -1,0 +1,143 @@
+//! `volver render`: a plan, run.
+
+use super::input::read;
+use super::scene::load;
+use super::{Failure, Outcome, write_out};
+use clap::Args;
+use serde::Serialize;
+use std::fmt::Write;
+use std::str::FromStr;
+use volver::real::{Format, FormatName, WithFormat};
+use volver::study::plan::{Plan, PlanError, StoredPlan};
+
+const EXAMPLES: &str = "\
+PLAN is what 'volver plan --json FILE' wrote for the same scene. Nothing is planned
+anew: as many evaluations are made as it says, in its format or in another.
+
+Examples:
+  volver render examples/scenes/smoke.toml --plan examples/scenes/smoke-plan.json
+  volver render examples/scenes/smoke.toml --plan examples/scenes/smoke-plan.json --format f64 --json";
+
+/// Run a stored plan on its scene
+#[derive(Args)]
+#[command(after_help = EXAMPLES)]
+pub(crate) struct Render {
+    /// A scene.toml; - for standard input
+    #[arg(value_name = "SCENE")]
+    scene: String,
+    /// What 'volver plan --json' wrote; - for standard input
+    #[arg(long, value_name = "PLAN")]
+    plan: String,
+    /// Instead of the plan's own format
+    #[arg(long, value_name = "FORMAT", value_parser = FormatName::from_str)]
+    format: Option<FormatName>,
+    /// Print one JSON document
+    #[arg(long)]
+    json: bool,
+}
+
+/// What came out.
+#[derive(Serialize)]
+struct Rendering {
+    volver: &'static str,
+    scene: String,
+    format: String,
+    evaluations: u64,
+    channels: Vec<Of>,
+}
+
+/// One channel.
+#[derive(Serialize)]
+struct Of {
+    channel: String,
+    radiance: String,
+    transmittance: String,
+}
+
+impl Render {
+    pub(crate) fn run(self) -> Result<Outcome, Failure> {
+        if self.scene == "-" && self.plan == "-" {
+            return Err(Failure::Usage(
+                "SCENE and --plan both come from standard input (allowed: one of them)".into(),
+            ));
+        }
+        let scene = load(&self.scene)?;
+        let text = read(&self.plan)?;
+        let wrong = |error: anyhow::Error| Failure::Content {
+            path: self.plan.clone(),
+            error,
+        };
+        let stored: StoredPlan = serde_json::from_str(&text).map_err(|error| {
+            wrong(anyhow::anyhow!(
+                "{error} (allowed: a plan as 'volver plan --json' writes it)"
+            ))
+        })?;
+        let plan = Plan::from_stored(&scene, stored).map_err(|error| wrong(error.into()))?;
+        let format = self.format.unwrap_or_else(|| plan.format());
+        let rendering = format
+            .with(Running { plan: &plan })
+            .map_err(|error| wrong(error.into()))?;
+        let text = if self.json {
+            let json = serde_json::to_string_pretty(&rendering);
+            json.map_err(|error| Failure::Output(error.into()))? + "\n"
+        } else {
+            rendering.text()
+        };
+        write_out(&text)?;
+        Ok(Outcome::Good)
+    }
+}
+
+struct Running<'a> {
+    plan: &'a Plan,
+}
+
+impl WithFormat for Running<'_> {
+    type Output = Result<Rendering, PlanError>;
+
+    fn run<F: Format>(self, format: F) -> Self::Output {
+        let rendered = self.plan.run_in(format)?;
+        let both = rendered.radiance.iter().zip(&rendered.transmittance);
+        let names = self.plan.scene().channels().iter();
+        Ok(Rendering {
+            volver: env!("CARGO_PKG_VERSION"),
+            scene: self.plan.scene().name().into(),
+            format: format.to_string(),
+            evaluations: rendered.evaluations,
+            channels: names
+                .zip(both)
+                .map(|(name, (radiance, transmittance))| Of {
+                    channel: name.clone(),
+                    radiance: radiance.to_string(),
+                    transmittance: transmittance.to_string(),
+                })
+                .collect(),
+        })
+    }
+}
+
+impl Rendering {
+    fn text(&self) -> String {
+        let mut text = String::new();
+        for channel in &self.channels {
+            let name = if channel.channel.is_empty() {
+                String::new()
+            } else {
+                format!("{}: ", channel.channel)
+            };
+            // Writing to a String does not fail.
+            let _ = writeln!(
+                text,
+                "{name}radiance {}, transmittance {}",
+                channel.radiance, channel.transmittance
+            );
+        }
+        let plural = if self.evaluations == 1 { "" } else { "s" };
+        let _ = writeln!(
+            text,
+            "{} evaluation{plural} in {}",
+            self.evaluations, self.format
+        );
+        text
+    }
+}

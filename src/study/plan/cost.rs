@@ -1,0 +1,70 @@
+//! What models cost.
+
+use super::Model;
+
+/// What is to be little.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub enum Cost {
+    /// Evaluations of C and τ; of models with as many the simpler one.
+    #[default]
+    Evaluations,
+    /// Nanoseconds.
+    Time(TimeCost),
+}
+
+/// What operations cost, in nanoseconds.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct TimeCost {
+    /// An evaluation of the media, for all channels.
+    pub evaluation: f64,
+    /// An exponential.
+    pub exponential: f64,
+    /// A product added to a sum.
+    pub multiplication: f64,
+}
+
+/// How much simpler has to be cheaper by: less than any evaluation.
+const SIMPLER: f64 = 1e-3;
+
+impl Cost {
+    /// What a model costs, for so many channels.
+    pub(super) fn of(self, model: Model, channels: usize) -> f64 {
+        let evaluations = f64::from(model.evaluations());
+        let channels = channels as f64;
+        let work = Work::of(model);
+        match self {
+            Cost::Evaluations => evaluations + SIMPLER * (1.0 - 1.0 / (1.0 + work.exponentials)),
+            Cost::Time(time) => {
+                let sums = work.exponentials * time.exponential
+                    + work.multiplications * time.multiplication;
+                evaluations * time.evaluation + channels * sums
+            }
+        }
+    }
+}
+
+/// What a model does for each channel beside evaluating.
+struct Work {
+    exponentials: f64,
+    multiplications: f64,
+}
+
+impl Work {
+    fn of(model: Model) -> Work {
+        let points = f64::from(model.points().unwrap_or(0));
+        let (exponentials, multiplications) = match model {
+            Model::Nothing => (0.0, 0.0),
+            Model::EmissionOnly { .. } => (0.0, 2.0 * points),
+            Model::AbsorptionOnly { .. } => (1.0, points),
+            Model::Constant => (2.0, 2.0),
+            Model::ConstantEmission { .. } => (2.0, points + 1.0),
+            // Its series has some twenty terms of three products.
+            Model::Linear => (1.0, 60.0),
+            Model::Quadrature { .. } => (points + 1.0, points * (points + 4.0)),
+        };
+        Work {
+            exponentials,
+            multiplications,
+        }
+    }
+}
