@@ -1,5 +1,6 @@
 //! `volver plan`: the least model of a scene that is enough.
 
+use super::about::about;
 use super::scene::load;
 use super::{Color, Failure, Outcome, width, write_out};
 use clap::{Args, ValueEnum};
@@ -150,7 +151,7 @@ impl PlanScene {
 
     fn hand_out(&self, plan: &Plan) -> Result<(), Failure> {
         if let Some(directory) = &self.out {
-            pages::write(directory, plan)?;
+            pages::write(directory, plan, &about())?;
         }
         let prints_json = self.json.as_deref() == Some(Path::new("-"));
         if let Some(file) = self.json.as_deref().filter(|_| !prints_json) {

@@ -9,6 +9,7 @@ mod classify;
 mod expression;
 mod file;
 mod fingerprint;
+mod keys;
 mod medium;
 mod problem;
 mod read;
@@ -17,6 +18,7 @@ mod samples;
 mod table;
 #[cfg(test)]
 mod tests;
+mod top;
 
 pub use bound::{BoundPiece, Columns};
 pub use file::SceneFile;

@@ -1,7 +1,9 @@
 //! A scene from its file.
 
 use super::file::{KindName, MediumFile, Number, Numbers, SamplesFile, Value};
+use super::keys::Keys;
 use super::sampled::{self, OfField};
+use super::top::{SCATTERING, channels, features, line};
 use super::{Kind, Medium, Piece, Scene, SceneError, SceneFile, SceneProblem, Values};
 use super::{expression, samples, table};
 use crate::case::Transfer;
@@ -12,7 +14,6 @@ use toml::Spanned;
 
 /// The largest file that is read, in bytes.
 const MAX_FILE: usize = 1 << 20;
-const MAX_CHANNELS: usize = 8;
 
 /// Reads the text of a `scene.toml`; files that it names are sought in `directory`.
 ///
@@ -60,81 +61,6 @@ pub fn read(text: &str, directory: &Path) -> Result<Scene, SceneError> {
     }
     let name = file.name.clone().unwrap_or_else(|| "scene".into());
     Ok(Scene::new(name, reader.channels, background, media))
-}
-
-fn line(text: &str, at: usize) -> usize {
-    text.get(..at).unwrap_or_default().matches('\n').count() + 1
-}
-
-fn channels(text: &str, file: &SceneFile) -> Result<Vec<String>, SceneError> {
-    let Some(names) = &file.channels else {
-        return Ok(vec![String::new()]);
-    };
-    let refused = |reason: String| SceneError {
-        line: line(text, names.span().start),
-        problem: SceneProblem::ChannelNames { reason },
-    };
-    let list = names.get_ref();
-    if !(1..=MAX_CHANNELS).contains(&list.len()) {
-        return Err(refused(format!("{} names", list.len())));
-    }
-    for (i, name) in list.iter().enumerate() {
-        let is_good = !name.is_empty()
-            && name.len() <= 32
-            && name.chars().all(|c| c.is_ascii_alphanumeric() || c == '-');
-        if !is_good || ["s", "extinction"].contains(&name.as_str()) {
-            return Err(refused(format!("'{}'", name.escape_debug())));
-        }
-        if list[..i].contains(name) {
-            return Err(refused(format!("'{name}' a second time")));
-        }
-    }
-    Ok(list.clone())
-}
-
-/// Why light has to be lost and gained where it is.
-const SCATTERING: &str = "light that changes its direction, from other rays into this one, is not in the integral of emission and absorption";
-
-/// Whether the scene may emit.
-fn features(text: &str, file: &SceneFile) -> Result<bool, SceneError> {
-    let Some(declared) = &file.features else {
-        return Ok(true);
-    };
-    let refused = |feature: &str, reason| SceneError {
-        line: line(text, declared.span().start),
-        problem: SceneProblem::Feature {
-            feature: feature.escape_debug().to_string(),
-            reason,
-        },
-    };
-    let list = declared.get_ref();
-    for feature in list {
-        let reason = match feature.as_str() {
-            "emission" | "absorption" => continue,
-            "scattering"
-            | "multiple-scattering"
-            | "single-scattering"
-            | "phase-function"
-            | "in-scattering"
-            | "out-scattering" => SCATTERING,
-            "shadows" | "illumination" | "lights" => {
-                "light from elsewhere is known to it only as what a medium emits"
-            }
-            "refraction" => "rays are straight in it",
-            "surfaces" | "reflection" => "it has media, and a background",
-            "time" | "motion-blur" => "it knows one moment",
-            _ => "it has emission and absorption alone",
-        };
-        return Err(refused(feature, reason));
-    }
-    let has = |name: &str| list.iter().any(|feature| feature == name);
-    if !has("absorption") {
-        return Err(refused(
-            "emission without absorption",
-            "light comes of C times tau, from what absorbs",
-        ));
-    }
-    Ok(has("emission"))
 }
 
 /// What all media of a file have in common.
@@ -511,93 +437,12 @@ fn whole(from: &Rational, to: &Rational, form: super::Form) -> expression::Cut {
     }
 }
 
-fn kind(name: KindName) -> Kind {
+pub(super) fn kind(name: KindName) -> Kind {
     match name {
         KindName::Vacuum => Kind::Vacuum,
         KindName::Constant => Kind::Constant,
         KindName::Linear => Kind::Linear,
         KindName::Expression => Kind::Expression,
         KindName::Sampled => Kind::Sampled,
-    }
-}
-
-/// The keys that belong to a kind of medium, beside from, to and name.
-struct Keys {
-    kind: &'static str,
-    needed: &'static [&'static str],
-    allowed: &'static [&'static str],
-    shown: &'static str,
-}
-
-impl Keys {
-    fn of(name: KindName) -> Keys {
-        let (needed, allowed, shown): (&[_], &[_], _) = match name {
-            KindName::Vacuum => (&[], &[], "no more than from, to and name"),
-            KindName::Constant | KindName::Linear => (
-                &["extinction"],
-                &["extinction", "emission"],
-                "extinction and emission",
-            ),
-            KindName::Expression => (
-                &["extinction"],
-                &["extinction", "emission", "field"],
-                "extinction, emission and, where these are of s, field",
-            ),
-            KindName::Sampled => (
-                &["samples"],
-                &[
-                    "samples",
-                    "spacing",
-                    "interpolation",
-                    "table",
-                    "table-interpolation",
-                    "extinction",
-                    "emission",
-                ],
-                "samples and either a table or extinction and emission of s",
-            ),
-        };
-        Keys {
-            kind: kind(name).name(),
-            needed,
-            allowed,
-            shown,
-        }
-    }
-
-    fn check(&self, file: &MediumFile) -> Result<(), SceneProblem> {
-        let given = [
-            ("extinction", file.extinction.is_some()),
-            ("emission", file.emission.is_some()),
-            ("field", file.field.is_some()),
-            ("samples", file.samples.is_some()),
-            ("spacing", file.spacing.is_some()),
-            ("interpolation", file.interpolation.is_some()),
-            ("table", file.table.is_some()),
-            ("table-interpolation", file.table_interpolation.is_some()),
-        ];
-        let (kind, keys) = (self.kind, self.shown);
-        for (key, is_given) in given {
-            if is_given && !self.allowed.contains(&key) {
-                return Err(SceneProblem::Superfluous { key, kind, keys });
-            }
-            if !is_given && self.needed.contains(&key) {
-                return Err(SceneProblem::Missing { key, kind, keys });
-            }
-        }
-        if file.kind != KindName::Sampled {
-            return Ok(());
-        }
-        let missing = |key| Err(SceneProblem::Missing { key, kind, keys });
-        let superfluous = |key| Err(SceneProblem::Superfluous { key, kind, keys });
-        match (&file.table, &file.extinction) {
-            (None, None) => missing("table"),
-            (Some(_), Some(_)) => superfluous("extinction"),
-            (Some(_), None) if file.emission.is_some() => superfluous("emission"),
-            (None, Some(_)) if file.table_interpolation.is_some() => {
-                superfluous("table-interpolation")
-            }
-            _ => Ok(()),
-        }
     }
 }

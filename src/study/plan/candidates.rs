@@ -2,10 +2,10 @@
 
 use super::layout::Stretch;
 use super::light::{Light, by_points, size};
-use super::stored::Because;
 use super::survey::{Survey, order};
+use super::weights::Weights;
 use super::{Cost, Model, PlanError};
-use crate::real::{Format, Real};
+use crate::real::Format;
 use crate::scene::Form;
 use std::ops::Range;
 
@@ -295,39 +295,5 @@ fn has_constant_emission(form: Option<&Form>) -> bool {
             .all(|of_one| of_one.emission.as_number().is_some()),
         Some(Form::Constant(_)) => true,
         Some(Form::Vacuum) | None => false,
-    }
-}
-
-/// What an error of a stretch does to the radiance.
-pub(super) struct Weights<'a, R> {
-    /// T in front of it.
-    pub(super) front: &'a [R],
-    /// The light from behind it.
-    pub(super) behind: &'a [R],
-    /// Its own light.
-    pub(super) exact: &'a [Light<R>],
-}
-
-impl<R: Real> Weights<'_, R> {
-    /// What other light makes of the radiance, in the channel where that is most.
-    pub(super) fn because(&self, light: &[Light<R>]) -> Because {
-        let pairs = light.iter().zip(self.exact);
-        let channels = pairs.zip(self.front.iter().zip(self.behind));
-        let errors = channels
-            .enumerate()
-            .map(|(i, ((found, exact), (front, behind)))| {
-                let passes = |light: &Light<R>| (-light.depth.clone()).exp();
-                Because {
-                    channel: i + 1,
-                    front: size(front),
-                    radiance: size(&(found.radiance.clone() - &exact.radiance)),
-                    transmittance: size(&(passes(found) - &passes(exact))),
-                    behind: size(behind),
-                }
-            });
-        // NaN is no maximum: it is passed on.
-        let worse = |a: &Because, b: &Because| b.error().is_nan() || b.error() > a.error();
-        let worst = errors.reduce(|a, b| if worse(&a, &b) { b } else { a });
-        worst.unwrap_or_default()
     }
 }

@@ -12,22 +12,25 @@
 //! I = f₁(f₂(…(background))), and models f̃ₖ instead err by at most ∑ T(aₖ) (|Ẽₖ − Eₖ| + |e^(−t̃ₖ) − e^(−tₖ)| R̃ₖ) with T the
 //! true transmittance in front and R̃ what the models let in from behind.
 
+mod brightest;
 mod candidates;
 mod certify;
 mod choose;
 mod cost;
+mod draft;
 mod error;
+mod format;
 mod layout;
 mod light;
 mod make;
 mod model;
+mod restore;
 mod run;
 mod settings;
 mod stored;
 mod survey;
-#[cfg(test)]
-mod tests;
 mod truth;
+mod weights;
 
 pub use cost::{Cost, TimeCost};
 pub use error::PlanError;
