@@ -1,6 +1,7 @@
 //! Cases: a field, two transfer functions, a ray length, and the exact answer.
 
 pub mod catalogue;
+mod counted;
 pub mod file;
 mod homogeneous_slab;
 pub mod manufacture;
@@ -13,6 +14,7 @@ mod symbolic;
 #[cfg(test)]
 mod tests;
 
+pub use counted::CountedCase;
 pub use file::{ChannelDescription, Description, FileError, FileProblem, Recipe};
 pub use homogeneous_slab::HomogeneousSlab;
 pub use nodes::{Column, Fresh, Nodes, Number, Recorded, Recording, Replayed, Shared};

