@@ -3,7 +3,6 @@
 
 mod chebyshev;
 mod closed_form;
-mod counted;
 mod error;
 mod spectral;
 

@@ -19,6 +19,12 @@ impl<R> CountedReal<R> {
     }
 }
 
+impl<R> From<R> for CountedReal<R> {
+    fn from(number: R) -> Self {
+        CountedReal(number)
+    }
+}
+
 impl<R: Clone> Clone for CountedReal<R> {
     #[inline]
     fn clone(&self) -> Self {

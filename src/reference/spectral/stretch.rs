@@ -1,10 +1,10 @@
 //! The ray between two breaks, and the medium sampled there.
 
 use super::super::ReferenceError;
-use super::super::counted::{Counted, counting};
 use super::Work;
 use crate::case::{Case, Structure};
-use crate::real::Real;
+use crate::real::counted::count;
+use crate::real::{CountedReal, MpfrReal};
 use crate::symbolic::Interval;
 use rug::ops::Pow;
 use rug::{Float, Integer, Rational};
@@ -75,24 +75,25 @@ impl Stretch {
     ) -> Result<Sample, ReferenceError> {
         let bits = self.from.prec();
         let lambda = self.place(v);
-        let place = Counted::from(lambda);
-        let (transfer, calls) = counting(|| case.transfer(&case.field(&place)));
+        let place = CountedReal::from(MpfrReal::from(lambda));
+        let (transfer, counts) = count(|| case.transfer(&case.field(&place)));
         work.evaluations += 1;
-        work.transcendental_calls += calls;
-        if !transfer.extinction.is_finite() || !transfer.emission.is_finite() {
+        work.transcendental_calls += counts.transcendentals();
+        let number = |x: CountedReal<MpfrReal>| Float::from(x.into_inner());
+        let (emission, mut extinction) = (number(transfer.emission), number(transfer.extinction));
+        if !extinction.is_finite() || !emission.is_finite() {
             return Err(ReferenceError::MediumNotFinite {
-                lambda: Float::from(place).to_f64(),
-                extinction: Float::from(transfer.extinction).to_f64(),
-                emission: Float::from(transfer.emission).to_f64(),
+                lambda: number(place).to_f64(),
+                extinction: extinction.to_f64(),
+                emission: emission.to_f64(),
             });
         }
         let mut slope = Float::with_val(bits, &self.width * self.power);
         if self.power > 1 {
             slope *= Float::with_val(bits, v.pow(self.power - 1));
         }
-        let mut extinction = Float::from(transfer.extinction);
         extinction *= &slope;
-        let source = Float::with_val(bits, &extinction * &Float::from(transfer.emission));
+        let source = Float::with_val(bits, &extinction * &emission);
         Ok((extinction, source))
     }
 
