@@ -6,6 +6,7 @@ pub mod reproduce;
 mod run;
 pub mod stress;
 pub mod sweep;
+pub mod tradeoff;
 pub mod verify;
 
 pub use run::{Progress, Run, Silent, samples};

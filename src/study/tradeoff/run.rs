@@ -1,0 +1,278 @@
+//! Running it: errors and counts on all threads, times on one.
+
+use super::catalogue::{USUAL_FORMAT, USUAL_METHOD};
+use super::measure::{nanoseconds, runs_a_measurement};
+use super::{Calibration, JournalError, Outcome, Point, Timing, Unit};
+use crate::case::{CountedCase, Fresh, SymbolicCase};
+use crate::method::Method;
+use crate::real::counted::{Counted, count};
+use crate::real::{Counts, Format, FormatName, WithFormat};
+use crate::reference::{self, Reference, ReferenceError};
+use crate::study::Progress;
+use crate::study::run::exact;
+use crate::study::sweep::Sweep;
+use rayon::prelude::*;
+use rug::Float;
+use std::hint::black_box;
+
+/// Bits that an error is kept with.
+const ERROR_BITS: u32 = 80;
+/// I is known to at least so many bits, and to some more than the widest format has.
+const LEAST_BITS: u32 = 160;
+/// Every run is measured so often, if it is short.
+const REPEATS: usize = 5;
+/// A run of so many nanoseconds is long.
+const LONG: f64 = 5e6;
+
+/// What to run.
+#[derive(Clone, Debug)]
+pub struct Settings {
+    /// Cases, methods, formats and levels.
+    pub sweep: Sweep,
+    /// Whether times are measured and modelled.
+    pub timed: bool,
+}
+
+/// Why it stopped.
+#[derive(Debug, thiserror::Error)]
+pub enum TradeoffError {
+    /// The exact radiance of a case is not to be had.
+    #[error("case '{case}': {error}")]
+    Reference {
+        /// The case.
+        case: String,
+        /// Why.
+        error: ReferenceError,
+    },
+    /// A finished unit cannot be kept.
+    #[error(transparent)]
+    Journal(#[from] JournalError),
+}
+
+/// One format, with the methods to run in it.
+struct Part {
+    format: FormatName,
+    /// Each with whether it is there for comparison alone.
+    methods: Vec<(Method, bool)>,
+}
+
+/// The formats, the usual choice among them though nobody asked for it.
+fn parts(sweep: &Sweep) -> Vec<Part> {
+    let mut parts: Vec<Part> = sweep
+        .formats
+        .iter()
+        .map(|format| Part {
+            format: *format,
+            methods: sweep
+                .methods
+                .iter()
+                .map(|method| (*method, false))
+                .collect(),
+        })
+        .collect();
+    if let Ok(usual) = USUAL_METHOD.parse::<Method>() {
+        if !parts.iter().any(|part| part.format == USUAL_FORMAT) {
+            parts.push(Part {
+                format: USUAL_FORMAT,
+                methods: Vec::new(),
+            });
+        }
+        for part in parts.iter_mut().filter(|part| part.format == USUAL_FORMAT) {
+            if !part.methods.iter().any(|(method, _)| *method == usual) {
+                part.methods.push((usual, true));
+            }
+        }
+    }
+    parts
+}
+
+/// The work of it all, as progress counts it.
+#[must_use]
+pub fn estimate(settings: &Settings) -> u64 {
+    let rounds = if settings.timed {
+        1 + REPEATS as u64
+    } else {
+        1
+    };
+    let segments = settings
+        .sweep
+        .levels
+        .iter()
+        .fold(0_u64, |a, n| a.saturating_add(*n));
+    let methods: usize = parts(&settings.sweep)
+        .iter()
+        .map(|part| part.methods.len())
+        .sum();
+    let runs = methods as u64 * settings.sweep.cases.len() as u64;
+    runs.saturating_mul(segments).saturating_mul(rounds)
+}
+
+/// Runs all; `finished` hears of every unit, by case and then by format.
+///
+/// # Errors
+/// [`TradeoffError::Reference`] for a case without a radiance to compare with; what `finished` fails with.
+pub fn run(
+    settings: &Settings,
+    progress: &dyn Progress,
+    mut finished: impl FnMut(&Unit) -> Result<(), JournalError>,
+) -> Result<Vec<Unit>, TradeoffError> {
+    let Settings { sweep, timed } = settings;
+    let parts = parts(sweep);
+    let mut calibrations: Vec<Calibration> = Vec::new();
+    let mut units = Vec::new();
+    for (name, case) in &sweep.cases {
+        let bits = parts.iter().map(|part| part.format.with(Bits)).max();
+        let bits = bits.unwrap_or(0).saturating_add(32).max(LEAST_BITS);
+        let truth = reference::radiance(case, bits).map_err(|error| TradeoffError::Reference {
+            case: name.clone(),
+            error,
+        })?;
+        for part in &parts {
+            let known = calibrations
+                .iter()
+                .find(|known| known.format == part.format);
+            let calibration = match known {
+                None if *timed => {
+                    let calibration = Calibration::of_format(part.format);
+                    calibrations.push(calibration.clone());
+                    Some(calibration)
+                }
+                known => known.cloned(),
+            };
+            let unit = part.format.with(OneUnit {
+                name,
+                case,
+                part,
+                levels: &sweep.levels,
+                truth: &truth,
+                calibration,
+                progress,
+            });
+            finished(&unit)?;
+            units.push(unit);
+        }
+    }
+    Ok(units)
+}
+
+struct Bits;
+
+impl WithFormat for Bits {
+    type Output = u32;
+    fn run<F: Format>(self, format: F) -> u32 {
+        format.bits()
+    }
+}
+
+/// One case in one format, the format still to be chosen.
+struct OneUnit<'a> {
+    name: &'a str,
+    case: &'a SymbolicCase,
+    part: &'a Part,
+    levels: &'a [u64],
+    truth: &'a Reference,
+    calibration: Option<Calibration>,
+    progress: &'a dyn Progress,
+}
+
+impl WithFormat for OneUnit<'_> {
+    type Output = Unit;
+
+    fn run<F: Format>(self, format: F) -> Unit {
+        let runs: Vec<(Method, bool, u64)> = self
+            .part
+            .methods
+            .iter()
+            .flat_map(|(method, usual)| self.levels.iter().map(|n| (*method, *usual, *n)))
+            .collect();
+        let counted = CountedCase(self.case);
+        let mut points: Vec<Point> = runs
+            .into_par_iter()
+            .with_max_len(1)
+            .map(|(method, only_usual, n)| {
+                let nodes = Fresh::new(&counted, Counted(format));
+                let (radiance, counts) = count(|| method.radiance(&nodes, n));
+                let (outcome, counts) = match radiance {
+                    Ok(radiance) => (self.outcome(&exact(&radiance)), counts),
+                    Err(error) => {
+                        let reason = error.to_string();
+                        (Outcome::Refused { reason }, Counts::default())
+                    }
+                };
+                self.progress.advance(n);
+                Point {
+                    method,
+                    n,
+                    outcome,
+                    counts,
+                    modelled: None,
+                    measured: None,
+                    only_usual,
+                }
+            })
+            .collect();
+        if let Some(calibration) = &self.calibration {
+            self.time(format, calibration, &mut points);
+        }
+        Unit {
+            case: self.name.into(),
+            format: self.part.format,
+            bits: format.bits(),
+            radiance: Float::with_val(ERROR_BITS, &self.truth.value),
+            points,
+            calibration: self.calibration,
+        }
+    }
+}
+
+impl OneUnit<'_> {
+    /// The error of a radiance, exactly subtracted and rounded once.
+    fn outcome(&self, radiance: &Float) -> Outcome {
+        if !radiance.is_finite() {
+            return Outcome::NotFinite;
+        }
+        let truth = &self.truth.value;
+        let mut error = Float::with_val(ERROR_BITS, radiance - truth).abs();
+        // What the reference itself may be off by is no error of the method.
+        if error <= self.truth.error {
+            return Outcome::Exact;
+        }
+        if !truth.is_zero() {
+            error /= truth.clone().abs();
+        }
+        Outcome::Error { error }
+    }
+
+    /// Times all points on this thread, pass by pass: what disturbs the machine for a while disturbs one
+    /// measurement of each at most.
+    fn time<F: Format>(&self, format: F, calibration: &Calibration, points: &mut [Point]) {
+        let nodes = Fresh::new(self.case, format);
+        let mut timed: Vec<(&mut Point, u32, Vec<f64>)> = Vec::new();
+        for point in points {
+            if let Outcome::Refused { .. } = point.outcome {
+                self.progress
+                    .advance(point.n.saturating_mul(REPEATS as u64));
+                continue;
+            }
+            point.modelled = Some(calibration.nanoseconds(&point.counts));
+            let (method, n) = (point.method, point.n);
+            let runs = runs_a_measurement(|| drop(black_box(method.radiance(&nodes, n))));
+            timed.push((point, runs, Vec::new()));
+        }
+        for pass in 0..REPEATS {
+            for (point, runs, times) in &mut timed {
+                let (method, n) = (point.method, point.n);
+                self.progress.advance(n);
+                // A long run says all the first time.
+                if pass > 1 && times.first().is_some_and(|time| *time > LONG) {
+                    continue;
+                }
+                let work = || drop(black_box(method.radiance(&nodes, n)));
+                times.push(nanoseconds(*runs, work));
+            }
+        }
+        for (point, _, times) in timed {
+            point.measured = Timing::of(times);
+        }
+    }
+}
