@@ -14,6 +14,7 @@
 //! | [`study`] | a study, as text, Markdown, JSON, CSV, LaTeX and plots |
 //! | [`verify`](mod@verify) | a kernel put to the test, as text, Markdown, JSON, `JUnit` XML and plots |
 //! | [`stress`] | digits and verdicts at the extremes, as text, Markdown, JSON and a heat map |
+//! | [`tradeoff`] | error against cost, as text, Markdown, JSON, CSV, LaTeX and plots |
 //!
 //! Nothing here computes an order: a report shows what [`Entry`](crate::study::reproduce::Entry) and
 //! [`Fit`](crate::convergence::Fit) hold.
@@ -36,6 +37,7 @@ pub mod study;
 pub mod svg;
 pub mod text;
 mod tone;
+pub mod tradeoff;
 pub mod verify;
 mod write;
 

@@ -42,7 +42,7 @@ pub fn latex(results: &Results) -> String {
 }
 
 /// Text that LaTeX sets as it stands; letters that it may not know become commands or question marks.
-pub(super) fn escape(text: &str) -> String {
+pub(in crate::report) fn escape(text: &str) -> String {
     let mut escaped = String::new();
     for c in text.chars() {
         match c {

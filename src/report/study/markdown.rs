@@ -123,7 +123,7 @@ fn table(lines: &[&Line], text: &mut String) -> fmt::Result {
 }
 
 /// Text that Markdown shows as it stands, in a table too.
-fn escape(text: &str) -> String {
+pub(in crate::report) fn escape(text: &str) -> String {
     let mut escaped = String::new();
     for c in text.chars() {
         if matches!(

@@ -3,9 +3,9 @@
 mod csv;
 mod html;
 mod json;
-mod latex;
-mod markdown;
-mod names;
+pub(super) mod latex;
+pub(super) mod markdown;
+pub(super) mod names;
 #[cfg(test)]
 mod tests;
 mod text;

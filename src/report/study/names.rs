@@ -41,7 +41,7 @@ pub(super) fn figures(results: &Results) -> Vec<Figure<'_>> {
 }
 
 /// Lower-case letters, digits and single dashes between them, which every file system takes.
-fn safe(name: &str) -> String {
+pub(in crate::report) fn safe(name: &str) -> String {
     let mut safe = String::new();
     for c in name.chars() {
         if c.is_ascii_alphanumeric() {

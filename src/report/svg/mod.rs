@@ -26,12 +26,14 @@ mod scale;
 mod slopes;
 mod split;
 pub(super) mod style;
+mod tradeoff;
 mod triangle;
 
 use super::{Group, ReportError};
 use crate::case::manufacture::Manufactured;
 use crate::convergence::{Fit, Sample};
 use crate::study::sweep::Line;
+use crate::study::tradeoff::{CaseResults, Cost};
 
 /// One panel for every row of a table, in it one curve a column. With replicas the curve is their
 /// standard deviation, and |bias| is dashed.
@@ -87,6 +89,18 @@ pub fn split_plot(title: &str, lines: &[&Line]) -> Result<String, ReportError> {
 /// [`ReportError::Draw`], which no study is known to cause.
 pub fn digits_plot(title: &str, lines: &[&Line]) -> Result<String, ReportError> {
     heat::figure(title, lines)
+}
+
+/// Error against cost of every run on a case, both logarithmic, with the Pareto front and what is usual.
+///
+/// The front's methods are numbered, and listed beside. Runs without an error that has a logarithm are counted
+/// below.
+///
+/// # Errors
+///
+/// [`ReportError::Draw`], which no comparison is known to cause.
+pub fn tradeoff_plot(case: &CaseResults, cost: Cost) -> Result<String, ReportError> {
+    tradeoff::figure(case, cost)
 }
 
 #[cfg(test)]

@@ -1,0 +1,83 @@
+//! Every run, for tables and plots elsewhere.
+
+use crate::report::ReportError;
+use crate::study::tradeoff::{CaseResults, Outcome, Point, Results, Unit};
+use std::io;
+
+const HEAD: [&str; 17] = [
+    "case",
+    "method",
+    "format",
+    "bits",
+    "n",
+    "state",
+    "error",
+    "evaluations",
+    "operations",
+    "transcendentals",
+    "modelled_ns",
+    "measured_ns",
+    "spread_ns",
+    "repeats",
+    "on_front",
+    "only_usual",
+    "reason",
+];
+
+/// One line a run behind a line of names, as RFC 4180 has it but with line feeds. What is not known is empty;
+/// errors have twenty digits.
+///
+/// # Errors
+/// [`ReportError::Csv`], which no comparison is known to cause.
+pub fn csv(results: &Results) -> Result<String, ReportError> {
+    let mut writer = csv::Writer::from_writer(Vec::new());
+    let broken = |error: csv::Error| ReportError::Csv(error.into());
+    writer.write_record(HEAD).map_err(broken)?;
+    for case in &results.cases {
+        let front = case.front(results.cost);
+        for unit in &case.units {
+            for point in &unit.points {
+                let on_front = front.iter().any(|(_, other)| std::ptr::eq(*other, point));
+                let record = record(case, unit, point, on_front);
+                writer.write_record(record).map_err(broken)?;
+            }
+        }
+    }
+    let bytes = writer
+        .into_inner()
+        .map_err(|error| ReportError::Csv(error.into_error()))?;
+    String::from_utf8(bytes).map_err(|error| ReportError::Csv(io::Error::other(error)))
+}
+
+fn record(case: &CaseResults, unit: &Unit, point: &Point, on_front: bool) -> [String; HEAD.len()] {
+    let number = |x: Option<f64>| x.map_or(String::new(), |x| format!("{x:.1}"));
+    let error = match point.outcome.error() {
+        Some(error) if error.is_zero() => "0".into(),
+        Some(error) => error.to_string_radix(10, Some(20)),
+        None => String::new(),
+    };
+    let reason = match &point.outcome {
+        Outcome::Refused { reason } => reason.clone(),
+        _ => String::new(),
+    };
+    let timing = point.measured;
+    [
+        case.name.clone(),
+        point.method.name(),
+        unit.format.to_string(),
+        unit.bits.to_string(),
+        point.n.to_string(),
+        point.outcome.name().into(),
+        error,
+        point.counts.evaluations().to_string(),
+        point.counts.operations().to_string(),
+        point.counts.transcendentals().to_string(),
+        number(point.modelled),
+        number(timing.map(|timing| timing.median)),
+        number(timing.map(|timing| timing.spread)),
+        timing.map_or(String::new(), |timing| timing.repeats.to_string()),
+        on_front.to_string(),
+        point.only_usual.to_string(),
+        reason,
+    ]
+}

@@ -1,0 +1,41 @@
+//! Error against cost: for a terminal, as a document, for programs, for a paper, as a plot.
+
+mod csv;
+mod json;
+mod latex;
+mod markdown;
+#[cfg(test)]
+mod tests;
+mod text;
+mod words;
+
+pub use csv::csv;
+pub use json::json;
+pub use latex::latex;
+pub use markdown::markdown;
+pub use text::text;
+
+use super::write::write_files;
+use super::{ReportError, svg};
+use crate::study::tradeoff::Results;
+use std::path::{Path, PathBuf};
+
+/// Writes one plot a case, `tradeoff.csv`, `tradeoff.json`, `tradeoff.tex`, and `tradeoff.md`, which shows them,
+/// into `dir`; returns the paths written. Other files in `dir` stay.
+///
+/// # Errors
+/// [`ReportError::Directory`] or [`ReportError::File`] with the path and the system's reason.
+pub fn write(dir: &Path, results: &Results) -> Result<Vec<PathBuf>, ReportError> {
+    let mut files = Vec::new();
+    for (index, case) in results.cases.iter().enumerate() {
+        files.push((
+            dir.join(words::figure_file(results, index)),
+            svg::tradeoff_plot(case, results.cost)?,
+        ));
+    }
+    files.push((dir.join("tradeoff.csv"), csv(results)?));
+    files.push((dir.join("tradeoff.json"), json(results)?));
+    files.push((dir.join("tradeoff.tex"), latex(results)));
+    files.push((dir.join("tradeoff.md"), markdown(results)));
+    write_files(dir, files)
+}

@@ -1,0 +1,158 @@
+//! How results are put in words, the same in every report.
+
+use crate::report::study::names::safe;
+use crate::study::tradeoff::{
+    CaseResults, Cost, Goal, Point, Results, Unit, agreement, clock_name,
+};
+use std::collections::BTreeMap;
+
+/// A duration from nanoseconds, with two significant digits.
+pub(super) fn time(nanoseconds: f64) -> String {
+    let units = ["ns", "µs", "ms", "s"];
+    let mut value = nanoseconds;
+    let mut unit = 0;
+    while value >= 999.5 && unit + 1 < units.len() {
+        value /= 1000.0;
+        unit += 1;
+    }
+    let digits = usize::from(value < 9.95);
+    format!("{value:.digits$} {}", units[unit])
+}
+
+/// An error with two significant digits; `exact` where there is none to be seen.
+pub(super) fn error(point: &Point) -> String {
+    match point.outcome.error() {
+        Some(error) if error.is_zero() => "exact".into(),
+        Some(error) => {
+            // rug writes 1.2e-5 itself, at any magnitude.
+            let text = format!("{error:.2e}");
+            text.replace("e0", "")
+        }
+        None => point.outcome.name().into(),
+    }
+}
+
+/// The time to show for a point: what it is compared by, or nothing.
+pub(super) fn time_of(point: &Point, cost: Cost) -> String {
+    let shown = match cost {
+        Cost::Measured => point.measured.map(|timing| timing.median),
+        _ => point.modelled,
+    };
+    shown.map_or(String::new(), time)
+}
+
+/// Method, format, n, evaluations, operations and time of a goal.
+pub(super) fn way((unit, point): (&Unit, &Point), cost: Cost) -> [String; 6] {
+    [
+        point.method.name(),
+        unit.format.to_string(),
+        point.n.to_string(),
+        point.counts.evaluations().to_string(),
+        point.counts.operations().to_string(),
+        time_of(point, cost),
+    ]
+}
+
+/// What the usual choice takes: "n 64, 64 evaluations, 12 µs", or that it does not get there.
+pub(super) fn usual(goal: &Goal<'_>, cost: Cost) -> String {
+    let Some((_, point)) = goal.usual else {
+        return "cannot".into();
+    };
+    match cost {
+        Cost::Evaluations => format!("n {}", point.n),
+        Cost::Operations => format!("n {}, {} op.", point.n, point.counts.operations()),
+        Cost::Modelled | Cost::Measured => format!("n {}, {}", point.n, time_of(point, cost)),
+    }
+}
+
+/// "10^(−k)" as people type it.
+pub(super) fn goal(goal: &Goal<'_>) -> String {
+    format!("1e-{}", goal.digits)
+}
+
+/// Goals that nothing reaches, in one line.
+pub(super) fn unreached(goals: &[Goal<'_>]) -> Option<String> {
+    let first = goals.iter().find(|goal| goal.best.is_none())?;
+    Some(format!(
+        "nothing that was run reaches {}",
+        self::goal(first)
+    ))
+}
+
+/// What the errors of a case are relative to.
+pub(super) fn relative(case: &CaseResults) -> String {
+    if case.is_relative() {
+        format!(
+            "errors relative to |I| = {:.6}",
+            case.radiance.to_f64().abs()
+        )
+    } else {
+        "errors absolute, as I = 0".into()
+    }
+}
+
+/// "1950 points: 1900 with an error, 12 exact, 20 refused, 18 not finite".
+pub(super) fn states(case: &CaseResults) -> String {
+    let mut states: BTreeMap<&'static str, usize> = BTreeMap::new();
+    for (_, point) in case.points() {
+        *states.entry(point.outcome.name()).or_default() += 1;
+    }
+    let total: usize = states.values().sum();
+    let parts: Vec<String> = [
+        ("error", "with an error"),
+        ("exact", "exact"),
+        ("not-finite", "not finite"),
+        ("refused", "refused"),
+    ]
+    .into_iter()
+    .filter_map(|(state, words)| Some(format!("{} {words}", states.get(state)?)))
+    .collect();
+    format!("{total} runs: {}", parts.join(", "))
+}
+
+/// How far the model's time can be believed; nothing where nothing was timed.
+pub(super) fn model(results: &Results) -> Vec<String> {
+    let mut lines = Vec::new();
+    if let Some(pinned) = results.pinned {
+        let core = if pinned {
+            "pinned to one core"
+        } else {
+            "not pinned to a core"
+        };
+        lines.push(format!(
+            "Measured: {}, {core}; the median of repeats.",
+            clock_name()
+        ));
+    }
+    let agreed: Vec<String> = agreement(results)
+        .iter()
+        .filter_map(|agreement| {
+            let share = 100.0 * agreement.share()?;
+            let format = agreement.format.as_deref().unwrap_or("all");
+            Some(format!("{format} {share:.0} % of {}", agreement.points))
+        })
+        .collect();
+    if !agreed.is_empty() {
+        lines.push(format!(
+            "Modelled time within 1.5 times of measured: {}.",
+            agreed.join(", ")
+        ));
+    }
+    lines
+}
+
+/// The file of a case's plot; no two cases have the same.
+pub(super) fn figure_file(results: &Results, index: usize) -> String {
+    let stem = |case: &CaseResults| format!("tradeoff-{}", safe(&case.name));
+    let Some(case) = results.cases.get(index) else {
+        return "tradeoff.svg".into();
+    };
+    let own = stem(case);
+    let before = results.cases[..index]
+        .iter()
+        .filter(|other| stem(other) == own);
+    match before.count() {
+        0 => format!("{own}.svg"),
+        others => format!("{own}-{}.svg", others + 1),
+    }
+}
