@@ -21,6 +21,7 @@ mod schema;
 mod stress;
 mod study;
 mod terminal;
+mod tradeoff;
 mod verify;
 
 pub(crate) use failure::Failure;
@@ -44,6 +45,7 @@ Examples:
   volver reference sine-squared --digits 100
   volver stress --scenarios depth --formats f16,f32
   volver plan examples/scenes/smoke.toml --tolerance 1e-4
+  volver tradeoff --cases sine-squared --levels 1..64 --cost evaluations
   volver completions bash";
 
 /// Verifies approximations of the volume rendering integral.
@@ -69,6 +71,7 @@ pub(crate) enum Command {
     Report(report::Report),
     Plan(plan::PlanScene),
     Render(render::Render),
+    Tradeoff(Box<tradeoff::Tradeoff>),
     Schema(schema::Schema),
     Completions(completions::Completions),
 }
@@ -89,6 +92,7 @@ impl Command {
             Command::Report(arguments) => arguments.run(),
             Command::Plan(arguments) => arguments.run(),
             Command::Render(arguments) => arguments.run(),
+            Command::Tradeoff(arguments) => arguments.run(),
             Command::Schema(arguments) => arguments.run(),
             Command::Completions(arguments) => arguments.run(),
         }

@@ -1,11 +1,11 @@
 //! `volver study`: cases × methods × formats × levels, every error split into parts.
 
-mod asked;
-mod cases;
-mod formats;
-mod levels;
+pub(super) mod asked;
+pub(super) mod cases;
+pub(super) mod formats;
+pub(super) mod levels;
 mod memory;
-mod methods;
+pub(super) mod methods;
 
 use super::about::about;
 use super::{Bar, Color, Failure, Outcome, write_out};

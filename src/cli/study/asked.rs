@@ -8,39 +8,39 @@ use toml::Spanned;
 use volver::study::sweep::StudyFile;
 
 /// A list of names as a file has it.
-pub(super) type Names = Spanned<Vec<Spanned<String>>>;
+pub(in crate::cli) type Names = Spanned<Vec<Spanned<String>>>;
 
 /// The file, if there is one.
-pub(super) struct Asking {
+pub(in crate::cli) struct Asking {
     path: PathBuf,
     text: String,
-    pub(super) file: StudyFile,
+    pub(in crate::cli) file: StudyFile,
 }
 
 /// A name that is asked for.
 #[derive(Clone, Debug)]
-pub(super) struct Asked {
-    pub(super) text: String,
+pub(in crate::cli) struct Asked {
+    pub(in crate::cli) text: String,
     /// The option, or the file and its line.
-    pub(super) at: String,
+    pub(in crate::cli) at: String,
     /// Paths in a file are relative to it.
-    pub(super) directory: Option<PathBuf>,
+    pub(in crate::cli) directory: Option<PathBuf>,
 }
 
 impl Asked {
     /// Why it cannot be had, in one line.
-    pub(super) fn refused(&self, why: impl Display) -> Failure {
+    pub(in crate::cli) fn refused(&self, why: impl Display) -> Failure {
         Failure::Usage(format!("{}: {why}", self.at))
     }
 
     /// The text, safe for a message.
-    pub(super) fn shown(&self) -> String {
+    pub(in crate::cli) fn shown(&self) -> String {
         self.text.escape_debug().to_string()
     }
 }
 
 impl Asking {
-    pub(super) fn new(path: Option<&Path>) -> Result<Asking, Failure> {
+    pub(in crate::cli) fn new(path: Option<&Path>) -> Result<Asking, Failure> {
         let Some(path) = path else {
             return Ok(Asking {
                 path: PathBuf::new(),
@@ -65,13 +65,13 @@ impl Asking {
     }
 
     /// Where in the file something stands.
-    pub(super) fn place<T>(&self, of: &Spanned<T>) -> String {
+    pub(in crate::cli) fn place<T>(&self, of: &Spanned<T>) -> String {
         let line = StudyFile::line(&self.text, &of.span());
         format!("{}, line {line}", self.path.display())
     }
 
     /// The names that an option has or else the file; none where neither says. `what` they are, for a message.
-    pub(super) fn names(
+    pub(in crate::cli) fn names(
         &self,
         option: &'static str,
         given: &[String],
@@ -115,7 +115,7 @@ impl Asking {
 }
 
 /// The parts between commas, blanks and semicolons.
-pub(super) fn split(text: &str) -> Vec<String> {
+pub(in crate::cli) fn split(text: &str) -> Vec<String> {
     let parts = text.split(|c: char| c == ',' || c == ';' || c.is_whitespace());
     parts
         .filter(|part| !part.is_empty())

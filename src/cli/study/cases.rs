@@ -16,7 +16,7 @@ struct Wanted {
     by_tag: bool,
 }
 
-pub(super) fn chosen(
+pub(in crate::cli) fn chosen(
     asking: &Asking,
     given: &[String],
 ) -> Result<Vec<(String, SymbolicCase)>, Failure> {

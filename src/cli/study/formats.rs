@@ -10,14 +10,14 @@ use volver::real::FormatName;
 const SWEEP: RangeInclusive<u32> = 2..=256;
 
 /// The formats of a study.
-pub(super) struct Formats {
-    pub(super) names: Vec<FormatName>,
+pub(in crate::cli) struct Formats {
+    pub(in crate::cli) names: Vec<FormatName>,
     /// Of each whether it is there for the map of digits alone.
-    pub(super) swept: Vec<bool>,
-    pub(super) bits: Option<RangeInclusive<u32>>,
+    pub(in crate::cli) swept: Vec<bool>,
+    pub(in crate::cli) bits: Option<RangeInclusive<u32>>,
 }
 
-pub(super) fn chosen(
+pub(in crate::cli) fn chosen(
     asking: &Asking,
     given: &[String],
     sweep: Option<&str>,

@@ -8,7 +8,7 @@ use volver::study::sweep::FileLevels;
 
 const DEFAULT: &str = "8..4096";
 
-pub(super) fn chosen(asking: &Asking, given: Option<&str>) -> Result<Vec<u64>, Failure> {
+pub(in crate::cli) fn chosen(asking: &Asking, given: Option<&str>) -> Result<Vec<u64>, Failure> {
     let asked = |text: &str, at: String| Asked {
         text: text.into(),
         at,

@@ -13,7 +13,7 @@ const DEFAULT: [&str; 4] = [
     "front-to-back/middle/subtraction",
 ];
 
-pub(super) fn chosen(asking: &Asking, given: &[String]) -> Result<Vec<Method>, Failure> {
+pub(in crate::cli) fn chosen(asking: &Asking, given: &[String]) -> Result<Vec<Method>, Failure> {
     let in_file = asking.file.methods.as_ref();
     let asked = asking.names("--methods", given, in_file, "methods", split)?;
     let default = || {
