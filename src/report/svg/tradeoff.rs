@@ -1,7 +1,7 @@
 //! Error against cost of every run, and the front.
 
 use super::area::Area;
-use super::canvas::{Canvas, Letters, Point as Pixel, Stroke, draw};
+use super::canvas::{Canvas, Letters, Point as Pixel, Stroke, draw, text_width};
 use super::scale::{Scale, power_of_ten, range, whole_ticks};
 use super::style::{AXIS, FLOOR_DOTS, GRID, MUTED, TEXT, TICK_SIZE, WHITE, color, letters};
 use crate::report::ReportError;
@@ -22,6 +22,8 @@ const PLOT: Area = Area {
 const LIST_LEFT: f64 = 660.0;
 const LINE: f64 = 14.0;
 const SIZE: f64 = 9.5;
+/// A number goes so far down to find a place of its own.
+const MOST_STEPS: u32 = 14;
 /// Of a colour, for what is not on the front.
 const TINT: f64 = 0.33;
 
@@ -74,13 +76,13 @@ pub(super) fn figure(case: &CaseResults, cost: Cost) -> Result<String, ReportErr
                 width: 1.1,
             },
         );
+        numbers(canvas, &stretches, &axes);
         for dot in &on_front {
             let at = axes.at(dot.x, dot.y);
             let family = Family::of(&dot.point.method);
             family.draw(canvas, at, 5.4, TEXT);
             family.draw(canvas, at, 4.4, color_of(case, dot.unit));
         }
-        numbers(canvas, &stretches, &axes);
         list(canvas, &stretches);
         key(canvas, case, &dots);
     })
@@ -208,14 +210,40 @@ const USUAL: Stroke = Stroke {
     width: 1.6,
 };
 
-/// A number at the first point of each stretch, left below it, where the front leaves room.
+/// A number at the first point of each stretch, below it on the left, where no other number stands; with a line
+/// to its point where that is not beside it.
 fn numbers(canvas: &mut Canvas<'_>, stretches: &[Stretch<'_>], axes: &Axes) {
+    let mut taken: Vec<Area> = Vec::new();
     for (index, stretch) in stretches.iter().enumerate() {
         let Some((x, y)) = stretch.at else { continue };
-        let (x, y) = axes.at(x, y);
-        let at = (x - 8.0, y + 8.0);
+        let point = axes.at(x, y);
         let number = (index + 1).to_string();
+        let width = text_width(&number, SIZE);
+        let area = |step: u32| {
+            let away = 9.0 + 11.0 * f64::from(step);
+            let (right, middle) = (point.0 - 0.35 * away, point.1 + away);
+            Area {
+                left: right - width,
+                right,
+                top: middle - SIZE / 2.0,
+                bottom: middle + SIZE / 2.0,
+            }
+        };
+        let is_free = |area: &Area| !taken.iter().any(|other| other.meets(area));
+        let steps = (0..MOST_STEPS).find(|step| is_free(&area(*step)));
+        let step = steps.unwrap_or(0);
+        let area = area(step);
+        let middle = f64::midpoint(area.top, area.bottom);
+        if step > 0 {
+            let stroke = Stroke {
+                color: MUTED,
+                width: 0.5,
+            };
+            canvas.path(&[point, (area.right, area.top)], stroke);
+        }
+        let at = (area.right, middle);
         canvas.text(&number, at, letters(SIZE, true, HPos::Right));
+        taken.push(area);
     }
 }
 

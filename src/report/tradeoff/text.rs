@@ -1,7 +1,7 @@
 //! The tables for a terminal.
 
 use super::super::text::{MIN_WIDTH, Style, paint, wrap};
-use super::words::{goal, model, relative, states, unreached, usual, way};
+use super::words::{model, range, relative, runs, states, unreached, usual, way};
 use crate::study::tradeoff::{CaseResults, Cost, Results, standings};
 use std::fmt::Write;
 
@@ -45,15 +45,23 @@ impl Page {
         };
         let head = ["error", "method", "format", "n", "eval.", last, "usual"];
         let mut rows = vec![head.map(String::from)];
-        for goal_of in &goals {
-            let Some(best) = goal_of.best else { break };
+        for (first, last_of) in runs(&goals) {
+            let Some(best) = last_of.best else { continue };
             let [method, format, n, evaluations, operations, time] = way(best, self.cost);
             let last = match self.cost {
                 Cost::Operations => operations,
                 _ => time,
             };
-            let usual = usual(goal_of, self.cost);
-            rows.push([goal(goal_of), method, format, n, evaluations, last, usual]);
+            let usual = usual(first, self.cost);
+            rows.push([
+                range((first, last_of)),
+                method,
+                format,
+                n,
+                evaluations,
+                last,
+                usual,
+            ]);
         }
         self.table(&rows, text);
         if let Some(unreached) = unreached(&goals) {
@@ -88,8 +96,8 @@ impl Page {
                 Some(style) => writeln!(text, "{}", paint(line, style, self.color)),
                 None => writeln!(text, "{line}"),
             };
-            if !fits {
-                let _ = writeln!(text, "      {}", row[1]);
+            if !fits && index > 0 {
+                let _ = writeln!(text, "    by {}", row[1]);
             }
         }
     }

@@ -70,6 +70,25 @@ pub(super) fn goal(goal: &Goal<'_>) -> String {
     format!("1e-{}", goal.digits)
 }
 
+/// Runs of goals that are reached in the same way, with the same one usual: the first and the last of each.
+pub(super) fn runs<'g, 'r>(goals: &'g [Goal<'r>]) -> Vec<(&'g Goal<'r>, &'g Goal<'r>)> {
+    let same = |a: Option<(&Unit, &Point)>, b: Option<(&Unit, &Point)>| match (a, b) {
+        (Some((_, a)), Some((_, b))) => std::ptr::eq(a, b),
+        (a, b) => a.is_none() && b.is_none(),
+    };
+    let chunks = goals.chunk_by(|a, b| same(a.best, b.best) && same(a.usual, b.usual));
+    let ends = chunks.filter_map(|chunk| chunk.first().zip(chunk.last()));
+    ends.filter(|(first, _)| first.best.is_some()).collect()
+}
+
+/// "1e-2", or "1e-11 … 1e-14" for a run of goals.
+pub(super) fn range((first, last): (&Goal<'_>, &Goal<'_>)) -> String {
+    if first.digits == last.digits {
+        return goal(first);
+    }
+    format!("{} … {}", goal(first), goal(last))
+}
+
 /// Goals that nothing reaches, in one line.
 pub(super) fn unreached(goals: &[Goal<'_>]) -> Option<String> {
     let first = goals.iter().find(|goal| goal.best.is_none())?;

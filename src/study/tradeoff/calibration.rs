@@ -60,6 +60,17 @@ impl Calibration {
         self.run + sum
     }
 
+    /// Between this one and another of the same format, made at another time.
+    #[must_use]
+    pub fn mean(&self, other: &Calibration) -> Calibration {
+        let costs = self.costs.iter().zip(&other.costs);
+        Calibration {
+            format: self.format,
+            costs: costs.map(|(a, b)| f64::midpoint(*a, *b)).collect(),
+            run: f64::midpoint(self.run, other.run),
+        }
+    }
+
     /// Nanoseconds that one more of that kind takes.
     #[must_use]
     pub fn cost(&self, kind: Kind) -> f64 {

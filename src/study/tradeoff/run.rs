@@ -118,7 +118,6 @@ pub fn run(
 ) -> Result<Vec<Unit>, TradeoffError> {
     let Settings { sweep, timed } = settings;
     let parts = parts(sweep);
-    let mut calibrations: Vec<Calibration> = Vec::new();
     let mut units = Vec::new();
     for (name, case) in &sweep.cases {
         let bits = parts.iter().map(|part| part.format.with(Bits)).max();
@@ -128,24 +127,13 @@ pub fn run(
             error,
         })?;
         for part in &parts {
-            let known = calibrations
-                .iter()
-                .find(|known| known.format == part.format);
-            let calibration = match known {
-                None if *timed => {
-                    let calibration = Calibration::of_format(part.format);
-                    calibrations.push(calibration.clone());
-                    Some(calibration)
-                }
-                known => known.cloned(),
-            };
             let unit = part.format.with(OneUnit {
                 name,
                 case,
                 part,
                 levels: &sweep.levels,
                 truth: &truth,
-                calibration,
+                timed: *timed,
                 progress,
             });
             finished(&unit)?;
@@ -171,7 +159,7 @@ struct OneUnit<'a> {
     part: &'a Part,
     levels: &'a [u64],
     truth: &'a Reference,
-    calibration: Option<Calibration>,
+    timed: bool,
     progress: &'a dyn Progress,
 }
 
@@ -211,16 +199,14 @@ impl WithFormat for OneUnit<'_> {
                 }
             })
             .collect();
-        if let Some(calibration) = &self.calibration {
-            self.time(format, calibration, &mut points);
-        }
+        let calibration = self.timed.then(|| self.time(format, &mut points));
         Unit {
             case: self.name.into(),
             format: self.part.format,
             bits: format.bits(),
             radiance: Float::with_val(ERROR_BITS, &self.truth.value),
             points,
-            calibration: self.calibration,
+            calibration,
         }
     }
 }
@@ -245,8 +231,13 @@ impl OneUnit<'_> {
 
     /// Times all points on this thread, pass by pass: what disturbs the machine for a while disturbs one
     /// measurement of each at most.
-    fn time<F: Format>(&self, format: F, calibration: &Calibration, points: &mut [Point]) {
-        let nodes = Fresh::new(self.case, format);
+    fn time<F: Format>(&self, format: F, points: &mut [Point]) -> Calibration {
+        let before = Calibration::of_format(self.part.format);
+        // A run prepares its nodes itself, as those do that the calibration is made of.
+        let once = |method: Method, n: u64| {
+            let nodes = Fresh::new(self.case, format);
+            drop(black_box(method.radiance(&nodes, n)));
+        };
         let mut timed: Vec<(&mut Point, u32, Vec<f64>)> = Vec::new();
         for point in points {
             if let Outcome::Refused { .. } = point.outcome {
@@ -254,9 +245,8 @@ impl OneUnit<'_> {
                     .advance(point.n.saturating_mul(REPEATS as u64));
                 continue;
             }
-            point.modelled = Some(calibration.nanoseconds(&point.counts));
             let (method, n) = (point.method, point.n);
-            let runs = runs_a_measurement(|| drop(black_box(method.radiance(&nodes, n))));
+            let runs = runs_a_measurement(|| once(method, n));
             timed.push((point, runs, Vec::new()));
         }
         for pass in 0..REPEATS {
@@ -267,12 +257,15 @@ impl OneUnit<'_> {
                 if pass > 1 && times.first().is_some_and(|time| *time > LONG) {
                     continue;
                 }
-                let work = || drop(black_box(method.radiance(&nodes, n)));
-                times.push(nanoseconds(*runs, work));
+                times.push(nanoseconds(*runs, || once(method, n)));
             }
         }
+        // The machine's pace drifts: its costs are those between before and after.
+        let calibration = before.mean(&Calibration::of_format(self.part.format));
         for (point, _, times) in timed {
             point.measured = Timing::of(times);
+            point.modelled = Some(calibration.nanoseconds(&point.counts));
         }
+        calibration
     }
 }
