@@ -111,7 +111,7 @@ impl Page {
         }
         for standing in standings.iter().take(NAMED) {
             let line = format!(
-                "{} in {}: {}, {} points",
+                "{} in {}: {}, with {} of its points",
                 standing.method, standing.format, standing.cases, standing.points
             );
             for line in wrap(&line, self.width, "  ", "    ") {
