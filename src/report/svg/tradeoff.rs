@@ -140,7 +140,10 @@ struct Axes {
 impl Axes {
     fn new(dots: &[Dot<'_>]) -> Option<Axes> {
         let x_range = range(dots.iter().map(|dot| dot.x), 0.15, 1.0)?;
-        let y_range = range(dots.iter().map(|dot| dot.y), 0.6, 2.0)?;
+        let (low, high) = range(dots.iter().map(|dot| dot.y), 0.0, 0.0)?;
+        // Numbers stand below their points.
+        let margin = (0.06 * (high - low)).max(0.6);
+        let y_range = range([low, high], margin, 2.0)?;
         Some(Axes {
             x: Scale::new(x_range, (PLOT.left, PLOT.right)),
             y: Scale::new(y_range, (PLOT.bottom, PLOT.top)),
