@@ -8,7 +8,8 @@ use std::path::{Path, PathBuf};
 use std::str::FromStr;
 use volver::real::FormatName;
 use volver::report::{self, plan as pages};
-use volver::study::plan::{Cost, Plan, Settings};
+use volver::scene::Scene;
+use volver::study::plan::{Cost, Plan, Settings, TimeCost};
 use volver::symbolic::parse_number;
 
 const EXAMPLES: &str = "\
@@ -91,7 +92,7 @@ impl PlanScene {
         let settings = Settings {
             tolerance: self.tolerance,
             formats,
-            cost: self.cost(),
+            cost: self.cost(&scene),
         };
         let wrong = |error: volver::study::plan::PlanError| Failure::Content {
             path: self.scene.clone(),
@@ -142,10 +143,10 @@ impl PlanScene {
         Ok(formats)
     }
 
-    fn cost(&self) -> Cost {
+    fn cost(&self, scene: &Scene) -> Cost {
         match self.cost {
             CostName::Evaluations => Cost::Evaluations,
-            CostName::Time => Cost::Time(super::scene::time_cost()),
+            CostName::Time => Cost::Time(TimeCost::of(scene)),
         }
     }
 

@@ -17,12 +17,3 @@ pub(super) fn load(path: &str) -> Result<Scene, Failure> {
         error: error.into(),
     })
 }
-
-/// What operations cost on this machine.
-pub(super) fn time_cost() -> volver::study::plan::TimeCost {
-    volver::study::plan::TimeCost {
-        evaluation: 50.0,
-        exponential: 8.0,
-        multiplication: 1.0,
-    }
-}

@@ -193,7 +193,7 @@ impl Tradeoff {
             printed += &tradeoff::text(results, super::width(), self.color.is_on());
         }
         if let Some(directory) = &self.out {
-            let files = tradeoff::write(directory, results)?;
+            let files = tradeoff::write(directory, results, &super::about::about())?;
             if prints_table {
                 // The journal is one of them.
                 let count = files.len() + 1;

@@ -68,7 +68,7 @@ fn media_are_cut_where_they_are_not_analytic() {
     assert_eq!(pieces.len(), 3);
     assert_eq!(pieces[0].to, Rational::from((1, 3)));
     // √2, to hundreds of bits.
-    let square = Rational::from(pieces[1].to.square_ref()) - 2;
+    let square: Rational = Rational::from(pieces[1].to.square_ref()) - 2;
     assert!(square.to_f64().abs() < 1e-100);
     assert_eq!(scene.media()[0].blur, 0.0);
 }
@@ -165,7 +165,7 @@ fn arrays_of_every_allowed_type_are_read() {
     let directory = tempfile::tempdir().unwrap();
     let file = directory.path().join("s.npy");
     let text = "[[media]]\nfrom = 0\nto = 1\nkind = 'sampled'\nsamples = 's.npy'\nextinction = 's'";
-    let mut read_back = |write: &dyn Fn(&Path)| {
+    let read_back = |write: &dyn Fn(&Path)| {
         write(&file);
         read(text, directory.path()).map(|scene| scene.fingerprint().to_string())
     };

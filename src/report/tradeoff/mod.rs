@@ -1,6 +1,7 @@
 //! Error against cost: for a terminal, as a document, for programs, for a paper, as a plot.
 
 mod csv;
+mod html;
 mod json;
 mod latex;
 mod markdown;
@@ -10,22 +11,24 @@ mod text;
 mod words;
 
 pub use csv::csv;
+pub use html::page;
 pub use json::json;
 pub use latex::latex;
 pub use markdown::markdown;
 pub use text::text;
 
+use super::html::{About, place};
 use super::write::write_files;
 use super::{ReportError, svg};
 use crate::study::tradeoff::Results;
 use std::path::{Path, PathBuf};
 
-/// Writes one plot a case, `tradeoff.csv`, `tradeoff.json`, `tradeoff.tex`, and `tradeoff.md`, which shows them,
-/// into `dir`; returns the paths written. Other files in `dir` stay.
+/// Writes one plot a case, `tradeoff.csv`, `tradeoff.json`, `tradeoff.tex`, `tradeoff.md`, which shows them, and a
+/// page, `index.html`, into `dir`; returns the paths written. Other files in `dir` stay.
 ///
 /// # Errors
 /// [`ReportError::Directory`] or [`ReportError::File`] with the path and the system's reason.
-pub fn write(dir: &Path, results: &Results) -> Result<Vec<PathBuf>, ReportError> {
+pub fn write(dir: &Path, results: &Results, about: &About) -> Result<Vec<PathBuf>, ReportError> {
     let mut files = Vec::new();
     for (index, case) in results.cases.iter().enumerate() {
         files.push((
@@ -37,5 +40,7 @@ pub fn write(dir: &Path, results: &Results) -> Result<Vec<PathBuf>, ReportError>
     files.push((dir.join("tradeoff.json"), json(results)?));
     files.push((dir.join("tradeoff.tex"), latex(results)));
     files.push((dir.join("tradeoff.md"), markdown(results)));
-    write_files(dir, files)
+    let mut paths = write_files(dir, files)?;
+    paths.push(place(dir, &page(results, about))?);
+    Ok(paths)
 }

@@ -226,7 +226,9 @@ mod tests {
                 }
             }
         }
-        for allowed in [0.0, 1.0, 2.0, 3.9, 4.0, 6.0, 8.5, 10.0, 18.0, 24.0, 30.0] {
+        for allowed in [
+            0.0_f64, 1.0, 2.0, 3.9, 4.0, 6.0, 8.5, 10.0, 18.0, 24.0, 30.0,
+        ] {
             let chosen = choose(&forest, allowed.max(1e-9)).unwrap();
             let (cost, error) = cost_and_error(&forest, &chosen);
             assert!(error <= allowed.max(1e-9), "{allowed}: {error}");

@@ -1,6 +1,11 @@
 //! What models cost.
 
 use super::Model;
+use crate::real::counted::{Counted, Kind, count};
+use crate::real::{Counts, Format, FormatName, Native};
+use crate::scene::{BoundPiece, Columns, Scene};
+use crate::study::tradeoff::Calibration;
+use rug::Rational;
 
 /// What is to be little.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -12,7 +17,7 @@ pub enum Cost {
     Time(TimeCost),
 }
 
-/// What operations cost, in nanoseconds.
+/// What operations cost, in nanoseconds of binary64.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct TimeCost {
     /// An evaluation of the media, for all channels.
@@ -21,6 +26,31 @@ pub struct TimeCost {
     pub exponential: f64,
     /// A product added to a sum.
     pub multiplication: f64,
+}
+
+impl TimeCost {
+    /// On this machine, for a scene: its media are evaluated under the counting scalar, and the counts priced.
+    #[must_use]
+    pub fn of(scene: &Scene) -> TimeCost {
+        let calibration = Calibration::of_format(FormatName::F64);
+        let format = Counted(Native::<f64>::new());
+        let mut evaluations = Counts::default();
+        let mut pieces = 0;
+        for piece in scene.media().iter().flat_map(|medium| &medium.pieces) {
+            let bound = BoundPiece::new(piece, format);
+            let middle = format.ratio(&(Rational::from(&piece.from + &piece.to) / 2));
+            let mut columns = Columns::new(scene.channels().len());
+            let ((), counts) = count(|| bound.evaluate(&[middle], &mut columns));
+            evaluations += counts;
+            pieces += 1;
+        }
+        TimeCost {
+            evaluation: calibration.nanoseconds(&evaluations) / f64::from(pieces.max(1)),
+            exponential: calibration.cost(Kind::Exponential),
+            multiplication: calibration.cost(Kind::Multiplication)
+                + calibration.cost(Kind::Addition),
+        }
+    }
 }
 
 /// How much simpler has to be cheaper by: less than any evaluation.

@@ -6,7 +6,7 @@ use super::{Calibration, JournalError, Outcome, Point, Timing, Unit};
 use crate::case::{CountedCase, Fresh, SymbolicCase};
 use crate::method::Method;
 use crate::real::counted::{Counted, count};
-use crate::real::{Counts, Format, FormatName, WithFormat};
+use crate::real::{Counts, Format, FormatName, Mpfr, WithFormat};
 use crate::reference::{self, Reference, ReferenceError};
 use crate::study::Progress;
 use crate::study::run::exact;
@@ -178,10 +178,12 @@ impl WithFormat for OneUnit<'_> {
             .into_par_iter()
             .with_max_len(1)
             .map(|(method, only_usual, n)| {
-                let nodes = Fresh::new(&counted, Counted(format));
-                let (radiance, counts) = count(|| method.radiance(&nodes, n));
-                let (outcome, counts) = match radiance {
-                    Ok(radiance) => (self.outcome(&exact(&radiance)), counts),
+                let nodes = Fresh::new(self.case, format);
+                let (outcome, counts) = match method.radiance(&nodes, n) {
+                    Ok(radiance) => (
+                        self.outcome(&exact(&radiance)),
+                        counts(&counted, format.bits(), &method, n),
+                    ),
                     Err(error) => {
                         let reason = error.to_string();
                         (Outcome::Refused { reason }, Counts::default())
@@ -209,6 +211,14 @@ impl WithFormat for OneUnit<'_> {
             calibration,
         }
     }
+}
+
+/// What a run does. What a method does depends on how many bits there are and on nothing else of the format, so
+/// that it is counted in MPFR for all of them: the methods are compiled once more for that, not once a format.
+fn counts(case: &CountedCase<'_, SymbolicCase>, bits: u32, method: &Method, n: u64) -> Counts {
+    let nodes = Fresh::new(case, Counted(Mpfr { bits }));
+    let (_, counts) = count(|| black_box(method.radiance(&nodes, n)));
+    counts
 }
 
 impl OneUnit<'_> {

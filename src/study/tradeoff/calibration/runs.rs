@@ -3,8 +3,8 @@
 use super::Piece;
 use crate::case::{CountedCase, Formulas, Fresh, PolynomialTransfer, Structure, SymbolicCase};
 use crate::method::Method;
-use crate::real::Format;
 use crate::real::counted::{Counted, count};
+use crate::real::{Format, Mpfr};
 use rug::Rational;
 use std::hint::black_box;
 
@@ -64,7 +64,13 @@ pub(super) fn pieces<F: Format>(format: F) -> Vec<Piece> {
 
 fn piece<F: Format>(format: F, medium: &SymbolicCase, method: Method, n: u64) -> Option<Piece> {
     let case = CountedCase(medium);
-    let nodes = Fresh::new(&case, Counted(format));
+    // What a method does depends on the number of bits alone, and is compiled once for all formats so.
+    let nodes = Fresh::new(
+        &case,
+        Counted(Mpfr {
+            bits: format.bits(),
+        }),
+    );
     let (radiance, counts) = count(|| method.radiance(&nodes, n));
     radiance.ok()?;
     let medium = medium.clone();
