@@ -8,8 +8,9 @@
 //! radiance to any number of digits; [`convergence`] fits the order of accuracy to its errors on a ladder
 //! of n, with an interval and a verdict. A [`kernel`] is somebody else's implementation, put to the same test, and
 //! [`diagnosis`] finds out from its values what it computes; [`assert_order!`] is that test in three lines.
-//! A [`study`] runs many, and [`report`] shows what came out.
-//! A module uses only those that stand before it: `real`, `symbolic`, `case`, `quadrature`, `method`, `kernel`,
+//! A [`study`] runs many, and [`report`] shows what came out. A [`scene`](mod@scene) is a ray as users have it, and a
+//! [plan](study::plan) the least that it needs.
+//! A module uses only those that stand before it: `real`, `symbolic`, `case`, `scene`, `quadrature`, `method`, `kernel`,
 //! `reference`, `convergence`, `diagnosis`, `study`, `report`, `assert`.
 //!
 //! ```
