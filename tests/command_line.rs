@@ -162,6 +162,8 @@ fn the_examples_of_the_help_run() {
         (&["manufacture", "--help"], 4),
         (&["reference", "--help"], 4),
         (&["stress", "--help"], 4),
+        (&["plan", "--help"], 4),
+        (&["render", "--help"], 2),
     ] {
         let output = volver(help, "").output().unwrap();
         assert_eq!(output.status.code(), Some(0));

@@ -25,7 +25,7 @@ Examples:
   volver plan examples/scenes/smoke.toml --tolerance 1e-4
   volver plan examples/scenes/smoke.toml --tolerance 1e-6 --explain
   volver plan examples/scenes/chest.toml --tolerance 1e-3 --format f16,f32 --json -
-  volver plan examples/scenes/smoke.toml --tolerance 1e-20 --quiet";
+  volver plan examples/scenes/smoke.toml --tolerance 1e-20";
 
 /// Find the least model of a scene that is enough for a tolerance
 #[derive(Args)]
