@@ -105,6 +105,7 @@ fn a_directory_gets_every_report_and_a_journal() {
     assert_eq!(
         names,
         [
+            "index.html",
             "tradeoff-sine-squared.svg",
             "tradeoff-vacuum.svg",
             "tradeoff.csv",

@@ -6,7 +6,7 @@ use super::{Color, Failure, Outcome, width, write_out};
 use clap::{Args, ValueEnum};
 use std::path::{Path, PathBuf};
 use std::str::FromStr;
-use volver::real::FormatName;
+use volver::real::{Format, FormatName, Native};
 use volver::report::{self, plan as pages};
 use volver::scene::Scene;
 use volver::study::plan::{Cost, Plan, Settings, TimeCost};
@@ -73,7 +73,9 @@ enum CostName {
 }
 
 fn tolerance(text: &str) -> Result<f64, String> {
-    let value = parse_number(text).ok().map(|q| q.to_f64());
+    let value = parse_number(text)
+        .ok()
+        .map(|q| Native::<f64>::new().ratio(&q));
     let value = value.filter(|x| x.is_finite() && *x >= f64::MIN_POSITIVE);
     value.ok_or_else(|| "no tolerance (allowed: a number above 0, such as 1e-4)".into())
 }

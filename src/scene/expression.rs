@@ -1,6 +1,7 @@
 //! Media of expressions, cut where these are not analytic.
 
 use super::classify::form;
+use super::medium::nearest;
 use super::{Piece, SceneProblem};
 use crate::case::Transfer;
 use crate::symbolic::{Claim, Decision, Expr, Place, decide, pieces};
@@ -22,6 +23,12 @@ pub(super) fn cut(
     from: &Rational,
     to: &Rational,
 ) -> Result<Cut, SceneProblem> {
+    let mut unproved = Vec::new();
+    for of_one in formulas {
+        // As they stand: in a piece that ends beside an irrational place they may be just beyond 0.
+        check("extinction", &of_one.extinction, from, to, &mut unproved)?;
+        check("emission", &of_one.emission, from, to, &mut unproved)?;
+    }
     let flat: Vec<Expr> = formulas
         .iter()
         .flat_map(|of_one| [of_one.emission.clone(), of_one.extinction.clone()])
@@ -32,7 +39,7 @@ pub(super) fn cut(
     let mut result = Cut {
         pieces: Vec::new(),
         blur: 0.0,
-        unproved: Vec::new(),
+        unproved,
     };
     let mut front = from.clone();
     let count = parts.len();
@@ -48,22 +55,6 @@ pub(super) fn cut(
             extinction: both[1].clone(),
         });
         let of_channels: Vec<Transfer<Expr>> = of_channels.collect();
-        for of_one in &of_channels {
-            check(
-                "extinction",
-                &of_one.extinction,
-                &front,
-                &back,
-                &mut result.unproved,
-            )?;
-            check(
-                "emission",
-                &of_one.emission,
-                &front,
-                &back,
-                &mut result.unproved,
-            )?;
-        }
         let form = form(of_channels, &front, &back).map_err(|error| SceneProblem::Breaks {
             reason: error.to_string(),
         })?;
@@ -104,7 +95,7 @@ fn check(
         Decision::Proved => Ok(()),
         Decision::Refuted { witness, value } => Err(SceneProblem::Value {
             what,
-            at: witness.to_f64(),
+            at: nearest(&witness),
             value: value.map(|value| value.midpoint().to_f64()),
         }),
         Decision::Undecided { .. } => {

@@ -1,6 +1,7 @@
 //! What a scene is made of.
 
 use crate::case::Transfer;
+use crate::real::{Format, Native};
 use crate::symbolic::{Expr, KeptProgram};
 use rug::Rational;
 use std::sync::Arc;
@@ -184,4 +185,9 @@ impl Form {
             Form::Smooth { formulas, .. } => formulas.iter().any(|of_one| !of_one.emission.is(0)),
         }
     }
+}
+
+/// The nearest binary64 number, for messages: `Rational::to_f64` cuts digits off.
+pub(super) fn nearest(q: &Rational) -> f64 {
+    Native::<f64>::new().ratio(q)
 }

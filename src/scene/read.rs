@@ -2,6 +2,7 @@
 
 use super::file::{KindName, MediumFile, Number, Numbers, SamplesFile, Value};
 use super::keys::Keys;
+use super::medium::nearest;
 use super::sampled::{self, OfField};
 use super::top::{SCATTERING, channels, features, line};
 use super::{Kind, Medium, Piece, Scene, SceneError, SceneFile, SceneProblem, Values};
@@ -137,7 +138,7 @@ impl Reader<'_> {
             let problem = SceneProblem::Value {
                 what,
                 at: place,
-                value: Some(negative.to_f64()),
+                value: Some(nearest(negative)),
             };
             return Err(self.error(at, problem));
         }
@@ -230,8 +231,8 @@ impl Reader<'_> {
     ) -> Result<(), SceneError> {
         if from >= to {
             let problem = SceneProblem::Order {
-                from: from.to_f64(),
-                to: to.to_f64(),
+                from: nearest(from),
+                to: nearest(to),
             };
             return Err(self.error(file.to.span().start, problem));
         }
@@ -239,7 +240,7 @@ impl Reader<'_> {
             return Ok(());
         };
         let end = before.to();
-        let places = |end: &Rational, from: &Rational| (end.to_f64(), from.to_f64());
+        let places = |end: &Rational, from: &Rational| (nearest(end), nearest(from));
         let at = file.from.span().start;
         match from.cmp(&end) {
             std::cmp::Ordering::Equal => Ok(()),
@@ -263,7 +264,7 @@ impl Reader<'_> {
         from: &Rational,
     ) -> Result<(Vec<Rational>, Vec<Rational>), SceneError> {
         let At { value, start } = At::new(value);
-        let numbers = |numbers: &Numbers| self.numbers(numbers, start, what, from.to_f64());
+        let numbers = |numbers: &Numbers| self.numbers(numbers, start, what, nearest(from));
         let same = |of_one: Numbers| {
             let values = numbers(&of_one)?;
             Ok((values.clone(), values))
@@ -342,9 +343,14 @@ impl Reader<'_> {
             let text = text.escape_debug().to_string();
             self.error(at, SceneProblem::Expression { text, reason })
         };
-        let expr: Expr = text
-            .parse()
-            .map_err(|error: crate::symbolic::ParseError| refused(error.to_string()))?;
+        let expr: Expr = text.parse().map_err(|error: crate::symbolic::ParseError| {
+            let said = error.to_string();
+            refused(if said.contains("(allowed: ") {
+                said
+            } else {
+                format!("{said} (allowed: an expression of {symbol})")
+            })
+        })?;
         match expr.symbols().iter().find(|name| ***name != *symbol) {
             Some(name) => Err(refused(format!(
                 "'{name}' has no value (allowed: {symbol})"
@@ -386,9 +392,9 @@ impl Reader<'_> {
             if spanned != length {
                 let problem = SceneProblem::Spacing {
                     count: field.len(),
-                    spacing: spacing.to_f64(),
-                    spanned: spanned.to_f64(),
-                    length: length.to_f64(),
+                    spacing: nearest(&spacing),
+                    spanned: nearest(&spanned),
+                    length: nearest(&length),
                 };
                 return Err(self.error(start, problem));
             }

@@ -1,5 +1,6 @@
 //! Transfer functions as tables in CSV.
 
+use super::medium::nearest;
 use super::{SceneProblem, Values};
 use crate::case::Transfer;
 use crate::symbolic::parse_number;
@@ -60,7 +61,7 @@ fn parse(text: &str, channels: &[String]) -> Result<TransferTable, String> {
                 let name = heading.get(column).unwrap_or("");
                 return Err(format!(
                     "line {line}: {name} = {} is negative (allowed: 0 or more)",
-                    value.to_f64()
+                    nearest(&value)
                 ));
             }
             Ok(value)
@@ -69,8 +70,8 @@ fn parse(text: &str, channels: &[String]) -> Result<TransferTable, String> {
         if let Some(last) = table.s.last().filter(|last| **last >= s) {
             return Err(format!(
                 "line {line}: s = {} comes after {} (allowed: s that increases)",
-                s.to_f64(),
-                last.to_f64()
+                nearest(&s),
+                nearest(last)
             ));
         }
         let both = columns.extinction.iter().zip(&columns.emission);

@@ -37,7 +37,7 @@ fn a_plan_is_bounded_run_and_compared() {
     for channel in ["red", "green", "blue"] {
         let line = text
             .lines()
-            .find(|line| line.starts_with(&format!("{channel}: radiance")));
+            .find(|line| line.starts_with(&format!("{channel}: within the tolerance")));
         assert!(line.is_some(), "{text}");
     }
     assert_eq!(text.matches("within the tolerance").count(), 3, "{text}");

@@ -133,12 +133,28 @@ impl Page {
                 ("BEYOND the tolerance", Style::Bad)
             };
             let line = format!(
-                "{name}radiance {}, exactly {}: error {:.1e}, {verdict}",
-                channel.radiance, channel.reference, channel.error
+                "{name}{verdict}, error {:.1e}: {}, exactly {}",
+                channel.error,
+                shortened(&channel.radiance, &channel.reference),
+                channel.reference
             );
             self.put(&line, style, text);
         }
     }
+}
+
+/// A number of no more digits than another is told with, its exponent kept.
+fn shortened(number: &str, like: &str) -> String {
+    let (digits, exponent) = match number.split_once('e') {
+        Some((digits, exponent)) => (digits, format!("e{exponent}")),
+        None => (number, String::new()),
+    };
+    let most = like.chars().count() + 2;
+    if digits.chars().count() <= most {
+        return number.to_string();
+    }
+    let kept: String = digits.chars().take(most).collect();
+    format!("{kept}...{exponent}")
 }
 
 fn line(cells: &[String; 4], widths: &[usize; 4]) -> String {
