@@ -32,9 +32,15 @@ pub(super) fn cut(
         blur: 0.0,
         unproved: Vec::new(),
     };
+    let knots = match of_field {
+        OfField::Table(table, lookup) => table.knots(*lookup),
+        OfField::Formulas(_) => Vec::new(),
+    };
     for cell in cells(samples, between, from, to) {
         match of_field {
-            OfField::Table(table, lookup) => all.pieces.extend(table.pieces(&cell, *lookup)),
+            OfField::Table(table, lookup) => {
+                all.pieces.extend(table.pieces(&cell, *lookup, &knots));
+            }
             OfField::Formulas(formulas) => {
                 let part = cell.by_formulas(formulas)?;
                 all.blur += part.blur;
@@ -140,24 +146,30 @@ impl Cell {
 }
 
 impl TransferTable {
-    /// The pieces of a cell: C and τ are linear in λ between the entries that the field passes, or jump halfway
-    /// between them. Beyond its ends a table goes on as it ends.
-    fn pieces(&self, cell: &Cell, lookup: Interpolation) -> Vec<Piece> {
-        let knots: Vec<Rational> = match lookup {
+    /// The field values at which C and τ have a kink, or a jump.
+    fn knots(&self, lookup: Interpolation) -> Vec<Rational> {
+        match lookup {
             Interpolation::Linear => self.s.clone(),
             Interpolation::Nearest => self
                 .s
                 .windows(2)
                 .map(|pair| Rational::from(&pair[0] + &pair[1]) / 2)
                 .collect(),
-        };
+        }
+    }
+
+    /// The pieces of a cell: C and τ are linear in λ between the entries that the field passes, or jump halfway
+    /// between them. Beyond its ends a table goes on as it ends.
+    fn pieces(&self, cell: &Cell, lookup: Interpolation, knots: &[Rational]) -> Vec<Piece> {
         let (low, high) = if cell.front <= cell.back {
             (&cell.front, &cell.back)
         } else {
             (&cell.back, &cell.front)
         };
         let mut ends: Vec<&Rational> = vec![low];
-        ends.extend(knots.iter().filter(|knot| *knot > low && *knot < high));
+        let first = knots.partition_point(|knot| knot <= low);
+        let end = knots.partition_point(|knot| knot < high);
+        ends.extend(knots.get(first..end).unwrap_or_default());
         ends.push(high);
         if cell.front > cell.back {
             ends.reverse();

@@ -16,22 +16,19 @@ pub fn page(plan: &Plan, about: &About) -> Page {
     if let Some(checked) = &stored.checked {
         for channel in &checked.channels {
             let is_within = channel.error <= stored.tolerance;
-            let (said, tone) = if is_within {
-                ("within the tolerance", Tone::Good)
-            } else {
-                ("beyond the tolerance", Tone::Bad)
-            };
+            let tone = if is_within { Tone::Good } else { Tone::Bad };
             let name = format!("error {}", channel.channel);
-            let value = format!("{:.1e}, {said}", channel.error);
+            let value = format!("{:.1e}", channel.error);
             page.summary
                 .push(Fact::new(name.trim_end(), value).toned(tone));
         }
     }
+    let total = bound(stored.uncertainty.total());
+    page.summary.push(Fact::new("bound", total));
     page.summary
         .push(Fact::new("tolerance", format!("{:e}", stored.tolerance)));
-    page.summary
-        .push(Fact::new("bound", format!("error ≤ {}", sum(stored))));
-    page.summary.push(Fact::new("effort", effort(stored)));
+    let evaluations = stored.evaluations.to_string();
+    page.summary.push(Fact::new("evaluations", evaluations));
     page.summary
         .push(Fact::new("format", stored.format.clone()));
     page.sections.push(steps(plan));
@@ -44,6 +41,8 @@ pub fn page(plan: &Plan, about: &About) -> Page {
 fn steps(plan: &Plan) -> Section {
     let stored = plan.stored();
     let mut section = Section::new("steps", "Steps, from front to back");
+    let said = format!("{}. Error ≤ {}.", effort(stored), sum(stored));
+    section.blocks.push(Block::Text(said));
     let mut table = Table::new(
         "What stands for each stretch of the ray, and what that may cost",
         [
@@ -86,6 +85,9 @@ fn steps(plan: &Plan) -> Section {
     section
 }
 
+/// The part of the tolerance from which on bounds are drawn.
+const LEAST: f64 = 1e-6;
+
 /// The bound of each step, and what they have added up to.
 fn bounds(plan: &Plan) -> Plot {
     let stored = plan.stored();
@@ -108,7 +110,8 @@ fn bounds(plan: &Plan) -> Plot {
     for step in &stored.steps {
         so_far += step.bound;
         let (from, to) = (number(&step.from), number(&step.to));
-        if step.bound > 0.0 {
+        // Less is rounding, and would leave the rest no room.
+        if step.bound > LEAST * stored.tolerance {
             let point = Point::new(
                 f64::midpoint(from, to),
                 step.bound.log10(),
@@ -116,7 +119,7 @@ fn bounds(plan: &Plan) -> Plot {
             );
             own.push(point);
         }
-        if so_far > 0.0 {
+        if so_far > LEAST * stored.tolerance {
             sums.push(Point::new(
                 to,
                 so_far.log10(),

@@ -15,10 +15,17 @@ pub fn page(results: &Results, about: &About) -> Page {
     page.summary = vec![
         Fact::new("cases", results.cases.len().to_string()),
         Fact::new("methods", header.methods.len().to_string()),
-        Fact::new("formats", header.formats.join("; ")),
-        Fact::new("cost", results.cost.to_string()),
+        Fact::new("formats", header.formats.len().to_string()),
+        Fact::new("levels", header.levels.len().to_string()),
     ];
     let mut run = Section::new("run", "What was run");
+    let levels: Vec<String> = header.levels.iter().map(ToString::to_string).collect();
+    run.blocks.push(Block::Facts(vec![
+        Fact::new("cost", results.cost.to_string()),
+        Fact::new("methods", header.methods.join("; ")),
+        Fact::new("formats", header.formats.join("; ")),
+        Fact::new("levels n", levels.join(", ")),
+    ]));
     for line in model(results) {
         run.blocks.push(Block::Text(line));
     }
