@@ -15,8 +15,8 @@ PLAN is what 'volver plan --json FILE' wrote for the same scene. Nothing is plan
 anew: as many evaluations are made as it says, in its format or in another.
 
 Examples:
-  volver render examples/scenes/smoke.toml --plan examples/scenes/smoke-plan.json
-  volver render examples/scenes/smoke.toml --plan examples/scenes/smoke-plan.json --format f64 --json";
+  volver render examples/scenes/smoke.toml --plan examples/scenes/plan.json
+  volver render examples/scenes/smoke.toml --plan examples/scenes/plan.json --format f64";
 
 /// Run a stored plan on its scene
 #[derive(Args)]
