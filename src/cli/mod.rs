@@ -10,6 +10,7 @@ mod fit;
 mod input;
 mod kernel;
 mod manufacture;
+mod output;
 mod plan;
 mod progress;
 mod reference;

@@ -8,12 +8,13 @@ mod memory;
 pub(super) mod methods;
 
 use super::about::about;
+use super::output::{is_dash, put, said};
 use super::{Bar, Color, Failure, Outcome, write_out};
 use asked::Asking;
 use clap::Args;
 use formats::Formats;
 pub(super) use formats::names as format_names;
-use std::fmt::{Display, Write};
+use std::fmt::Write;
 use std::path::{Path, PathBuf};
 use std::thread;
 use volver::case::Case;
@@ -225,22 +226,4 @@ impl Study {
         }
         write_out(&printed)
     }
-}
-
-/// Into a file, or to what is printed.
-fn put(file: &Path, text: &str, printed: &mut String) -> Result<(), Failure> {
-    if is_dash(Some(file)) {
-        printed.push_str(text);
-        return Ok(());
-    }
-    Ok(report::write_file(file, text)?)
-}
-
-fn is_dash(file: Option<&Path>) -> bool {
-    file == Some(Path::new("-"))
-}
-
-/// What a library's error says.
-fn said(error: impl Display) -> Failure {
-    Failure::Usage(error.to_string())
 }

@@ -1,9 +1,10 @@
 //! `volver tradeoff`: error against cost, and the cheapest way to an error.
 
+use super::output::{is_dash, put, said};
 use super::study::{asked::Asking, cases, formats, levels, methods};
 use super::{Bar, Color, Failure, Outcome, write_out};
 use clap::{Args, ValueEnum};
-use std::fmt::{Display, Write};
+use std::fmt::Write;
 use std::path::{Path, PathBuf};
 use std::thread;
 use volver::report::{self, tradeoff};
@@ -211,22 +212,4 @@ impl Tradeoff {
         }
         write_out(&printed)
     }
-}
-
-/// Into a file, or to what is printed.
-fn put(file: &Path, text: &str, printed: &mut String) -> Result<(), Failure> {
-    if is_dash(Some(file)) {
-        printed.push_str(text);
-        return Ok(());
-    }
-    Ok(report::write_file(file, text)?)
-}
-
-fn is_dash(file: Option<&Path>) -> bool {
-    file == Some(Path::new("-"))
-}
-
-/// What a library's error says.
-fn said(error: impl Display) -> Failure {
-    Failure::Usage(error.to_string())
 }
