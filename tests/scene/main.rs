@@ -1,5 +1,7 @@
 //! `volver plan` and `volver render` on the command line: what they print and write, and what they refuse.
 
+#![allow(clippy::unwrap_used, clippy::panic)] // A test may stop.
+
 use assert_cmd::Command;
 use predicates::prelude::*;
 use predicates::str::contains;

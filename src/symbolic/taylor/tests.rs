@@ -17,7 +17,7 @@ fn exact(expr: &Expr, at: &Rational, reach: &Rational) -> Vec<f64> {
         .map(|k| {
             if k > 0 {
                 derivative = derivative.differentiate("x").simplify();
-                scale *= Rational::from(reach / Rational::from(k));
+                scale *= reach / Rational::from(k);
             }
             let program = Program::new(std::slice::from_ref(&derivative), &["x"]).unwrap();
             let value = program.bind(format).at(&[&format.ratio(at)]).remove(0);
