@@ -94,12 +94,11 @@ fn compared(text: &str) -> Vec<Compared> {
 fn cheaper_than_uniform(texts: &[String]) {
     let all: Vec<Compared> = texts.par_iter().flat_map(|text| compared(text)).collect();
     // Never above twice the best uniform method and eight evaluations a medium.
-    for one in &all {
-        if let Some(uniform) = one.uniform {
-            let allowed = 2 * uniform + 8 * one.media;
-            assert!(one.planned <= allowed, "{} > {allowed}", one.planned);
-        }
-    }
+    let beyond: Vec<(u64, u64)> = all
+        .iter()
+        .filter_map(|one| Some((one.planned, 2 * one.uniform? + 8 * one.media)))
+        .filter(|(planned, allowed)| planned > allowed)
+        .collect();
     // The median of planned/uniform is at most a third where at least half of them are.
     let third = |one: &&Compared| one.uniform.is_none_or(|uniform| 3 * one.planned <= uniform);
     let cheap = all.iter().filter(third).count();
@@ -115,6 +114,7 @@ fn cheaper_than_uniform(texts: &[String]) {
         ratios.last()
     );
     assert!(2 * cheap >= all.len(), "{cheap} of {}", all.len());
+    assert!(beyond.is_empty(), "planned, and allowed: {beyond:?}");
 }
 
 #[test]
@@ -123,9 +123,14 @@ fn plans_cost_a_third_of_the_best_uniform_method_and_never_much_more_than_it() {
 }
 
 #[test]
-#[ignore = "the whole of it takes minutes"]
-fn all_of_a_thousand_scenes() {
+#[ignore = "takes minutes"]
+fn a_thousand_scenes_are_within_their_tolerances() {
     within_tolerance(&texts(1000, 1, true));
+}
+
+#[test]
+#[ignore = "takes minutes"]
+fn a_thousand_plans_are_cheap() {
     cheaper_than_uniform(&texts(1000, 1, false));
 }
 
