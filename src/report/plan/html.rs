@@ -53,7 +53,7 @@ fn steps(plan: &Plan) -> Section {
             Column::text("model"),
             Column::number("evaluations"),
             Column::text("left out"),
-            Column::logarithm("bound"),
+            Column::number("bound"),
             Column::text("T (ΔE + ΔT R)"),
         ],
     );
@@ -69,7 +69,7 @@ fn steps(plan: &Plan) -> Section {
                 f64::from(step.model.evaluations()),
             ),
             Cell::text(left_out(step)),
-            Cell::number(bound(step.bound), step.bound.log10()),
+            Cell::number(bound(step.bound), step.bound),
             Cell::text(because(step)),
         ]);
     }
@@ -145,7 +145,7 @@ fn radiance(plan: &Plan) -> Section {
             Column::text("channel"),
             Column::text("radiance"),
             Column::text("exactly"),
-            Column::logarithm("error"),
+            Column::number("error"),
         ],
     );
     for channel in plan
@@ -158,7 +158,7 @@ fn radiance(plan: &Plan) -> Section {
             Cell::text(channel.channel.clone()),
             Cell::text(channel.radiance.clone()),
             Cell::text(channel.reference.clone()),
-            Cell::number(format!("{:.1e}", channel.error), channel.error.log10()),
+            Cell::number(format!("{:.1e}", channel.error), channel.error),
         ]);
     }
     section.blocks.push(Block::Table(table));
