@@ -117,6 +117,19 @@ pub trait WithFormat {
 }
 
 impl FormatName {
+    /// Significant bits, as [`Format::bits`] counts them.
+    #[must_use]
+    pub fn bits(self) -> u32 {
+        struct Bits;
+        impl WithFormat for Bits {
+            type Output = u32;
+            fn run<F: Format>(self, format: F) -> u32 {
+                format.bits()
+            }
+        }
+        self.with(Bits)
+    }
+
     /// Does `action` in this format.
     pub fn with<W: WithFormat>(self, action: W) -> W::Output {
         match self {

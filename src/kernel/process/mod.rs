@@ -28,7 +28,6 @@ pub use registry::stop_all;
 pub use schema::schema;
 
 use super::{Declaration, Kernel, KernelError, Rendering, Task};
-use crate::real::{Format, WithFormat};
 use child::Child;
 use files::Files;
 use greeting::Greeting;
@@ -152,7 +151,13 @@ impl ProcessKernel {
             None => self.start_anew()?,
         };
         let timeout = self.options.timeout;
-        let bits = self.greeting.declaration.format.with(Bits);
+        // No fewer than binary64 has.
+        let bits = self
+            .greeting
+            .declaration
+            .format
+            .bits()
+            .max(f64::MANTISSA_DIGITS);
         let answer = child
             .exchange(&line, Instant::now().checked_add(timeout))
             .and_then(|answer| answer::read(&answer, self.last_id, tasks, bits));
@@ -196,17 +201,6 @@ fn start(
     match greeting.and_then(|line| greeting::read(&line)) {
         Ok(greeting) => Ok((child, greeting)),
         Err(trouble) => Err(child.fail(trouble, "greeting", timeout)),
-    }
-}
-
-/// The significant bits of a format, and no fewer than binary64 has.
-struct Bits;
-
-impl WithFormat for Bits {
-    type Output = u32;
-
-    fn run<F: Format>(self, format: F) -> u32 {
-        format.bits().max(f64::MANTISSA_DIGITS)
     }
 }
 

@@ -1,6 +1,7 @@
 //! A plan as Markdown.
 
 use super::words::{because, bound, effort, left_out, medium, place, sum};
+use crate::report::study::markdown::escape;
 use crate::study::plan::Plan;
 use std::fmt::Write;
 
@@ -10,7 +11,7 @@ use std::fmt::Write;
 pub fn markdown(plan: &Plan) -> String {
     let stored = plan.stored();
     let mut text = String::new();
-    let _ = writeln!(text, "# Plan of {}\n", escaped(plan.scene().name()));
+    let _ = writeln!(text, "# Plan of {}\n", escape(plan.scene().name()));
     let _ = writeln!(
         text,
         "Tolerance {:e}: {}, in {}.\n",
@@ -28,7 +29,7 @@ pub fn markdown(plan: &Plan) -> String {
         let _ = writeln!(
             text,
             "| {} | {} | {} | {} | {} | {} | {} |",
-            escaped(&medium(plan, step)),
+            escape(&medium(plan, step)),
             place(&step.from),
             place(&step.to),
             step.model,
@@ -53,7 +54,7 @@ pub fn markdown(plan: &Plan) -> String {
             let _ = writeln!(
                 text,
                 "| {} | {} | {} | {:.1e} |",
-                escaped(&channel.channel),
+                escape(&channel.channel),
                 channel.radiance,
                 channel.reference,
                 channel.error
@@ -61,8 +62,4 @@ pub fn markdown(plan: &Plan) -> String {
         }
     }
     text
-}
-
-fn escaped(text: &str) -> String {
-    text.replace('|', "\\|").replace(['\n', '\r'], " ")
 }

@@ -264,7 +264,7 @@ impl<F: Format> Explorer<'_, '_, F> {
         Candidate {
             model,
             cost: self.cost.of(model, self.survey.layout.channels),
-            error: if error.is_nan() { f64::INFINITY } else { error },
+            error,
         }
     }
 }

@@ -30,7 +30,7 @@ impl Draft {
             let bits = exact_bits.next_multiple_of(32);
             formats.push(FormatName::Mpfr(bits));
         }
-        formats.sort_by_key(|format| bits_of(*format));
+        formats.sort_by_key(|format| format.bits());
         let mut best: Option<(FormatName, f64)> = None;
         for format in formats {
             let rounding = match rehearsed(format) {
@@ -49,7 +49,7 @@ impl Draft {
         let more = (rounding / left).log2().ceil().clamp(1.0, 1e4);
         // At most ten thousand.
         #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss)]
-        let bits = bits_of(best) + more as u32 + 1;
+        let bits = best.bits() + more as u32 + 1;
         Err(PlanError::Format {
             tolerance,
             best: best.to_string(),
@@ -131,15 +131,4 @@ impl WithFormat for Rehearsal<'_> {
         });
         Ok(errors.fold(0.0, f64::max))
     }
-}
-
-fn bits_of(format: FormatName) -> u32 {
-    struct Bits;
-    impl WithFormat for Bits {
-        type Output = u32;
-        fn run<F: Format>(self, format: F) -> u32 {
-            format.bits()
-        }
-    }
-    format.with(Bits)
 }

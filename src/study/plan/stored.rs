@@ -77,7 +77,7 @@ pub struct Because {
 }
 
 impl Because {
-    /// T (|Ẽ − E| + |e^(−t̃) − e^(−t)| R).
+    /// T (|Ẽ − E| + |e^(−t̃) − e^(−t)| R); ∞ where that is no number, which no maximum would pass on.
     #[must_use]
     pub fn error(&self) -> f64 {
         // Nothing behind makes no transmittance wrong.
@@ -87,10 +87,10 @@ impl Because {
             self.transmittance * self.behind
         };
         if self.front == 0.0 {
-            0.0
-        } else {
-            self.front * (self.radiance + passed)
+            return 0.0;
         }
+        let error = self.front * (self.radiance + passed);
+        if error.is_nan() { f64::INFINITY } else { error }
     }
 }
 

@@ -31,9 +31,7 @@ impl<R: Real> Weights<'_, R> {
                     behind: size(behind),
                 }
             });
-        // NaN is no maximum: it is passed on.
-        let worse = |a: &Because, b: &Because| b.error().is_nan() || b.error() > a.error();
-        let worst = errors.reduce(|a, b| if worse(&a, &b) { b } else { a });
+        let worst = errors.reduce(|a, b| if b.error() > a.error() { b } else { a });
         worst.unwrap_or_default()
     }
 }

@@ -34,7 +34,7 @@ impl Estimate {
         // The format's own values, and the oracle's at two precisions.
         let bytes = |format: &FormatName| {
             let oracle = oracle_bits(*format);
-            let own = f64::from(significant_bits(*format)) / 8.0 + HEADER_BYTES;
+            let own = f64::from(format.bits()) / 8.0 + HEADER_BYTES;
             own + 3.0 * oracle / 8.0 + 2.0 * HEADER_BYTES
         };
         let widest = sweep.formats.iter().map(bytes).fold(0.0, f64::max);
@@ -75,7 +75,7 @@ impl Estimate {
     /// Work of one level of one unit.
     #[must_use]
     pub fn work(sweep: &Sweep, format: FormatName, n: u64) -> u64 {
-        let weight = 2 + u64::from(significant_bits(format)) / 32;
+        let weight = 2 + u64::from(format.bits()) / 32;
         n.saturating_mul(sweep.methods.len() as u64)
             .saturating_mul(weight)
     }
@@ -107,16 +107,5 @@ fn looks(method: &Method) -> f64 {
 }
 
 fn oracle_bits(format: FormatName) -> f64 {
-    f64::from(significant_bits(format).saturating_add(64)).max(128.0)
-}
-
-fn significant_bits(format: FormatName) -> u32 {
-    struct Bits;
-    impl crate::real::WithFormat for Bits {
-        type Output = u32;
-        fn run<F: crate::real::Format>(self, format: F) -> u32 {
-            format.bits()
-        }
-    }
-    format.with(Bits)
+    f64::from(format.bits().saturating_add(64)).max(128.0)
 }

@@ -120,7 +120,7 @@ pub fn run(
     let parts = parts(sweep);
     let mut units = Vec::new();
     for (name, case) in &sweep.cases {
-        let bits = parts.iter().map(|part| part.format.with(Bits)).max();
+        let bits = parts.iter().map(|part| part.format.bits()).max();
         let bits = bits.unwrap_or(0).saturating_add(32).max(LEAST_BITS);
         let truth = reference::radiance(case, bits).map_err(|error| TradeoffError::Reference {
             case: name.clone(),
@@ -141,15 +141,6 @@ pub fn run(
         }
     }
     Ok(units)
-}
-
-struct Bits;
-
-impl WithFormat for Bits {
-    type Output = u32;
-    fn run<F: Format>(self, format: F) -> u32 {
-        format.bits()
-    }
 }
 
 /// One case in one format, the format still to be chosen.

@@ -12,19 +12,7 @@ const MORE_BITS: u32 = 75;
 
 /// 2^(−p) of the declared format.
 pub(super) fn unit(declaration: &Declaration) -> f64 {
-    (-f64::from(bits(declaration.format))).exp2()
-}
-
-/// Significant bits of a format.
-pub(super) fn bits(format: FormatName) -> u32 {
-    struct Bits;
-    impl WithFormat for Bits {
-        type Output = u32;
-        fn run<F: Format>(self, format: F) -> u32 {
-            format.bits()
-        }
-    }
-    format.with(Bits)
+    (-f64::from(declaration.format.bits())).exp2()
 }
 
 /// The declared method's radiance at one level.
@@ -44,7 +32,7 @@ pub(super) fn at_level(
     channel: usize,
     uniform: Option<u64>,
 ) -> Option<Nominal> {
-    let more = FormatName::Mpfr(bits(declaration.format) + MORE_BITS);
+    let more = FormatName::Mpfr(declaration.format.bits() + MORE_BITS);
     match Model::of_method(declaration.method?) {
         Model::Recipe(recipe) => {
             let recipe = Recipe {

@@ -24,7 +24,7 @@ impl Asked<'_> {
         answers: &Answers,
     ) -> Result<(Line, Watched), VerifyError> {
         let case = &self.subject.cases()[channel];
-        let bits = nominal::bits(self.declaration.format).max(f64::MANTISSA_DIGITS);
+        let bits = self.declaration.format.bits().max(f64::MANTISSA_DIGITS);
         let exact = truth::of_case(case, bits + REFERENCE_BITS, self.declaration.far_wall)?;
         let stepwise = match self.levels.first().map(|level| &level.volume) {
             Some(Some(volume)) if self.settings.axis == Axis::Step => {

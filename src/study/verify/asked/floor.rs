@@ -4,7 +4,7 @@ use super::{Asked, Level};
 use crate::diagnosis::{Places, Ray, Recipe, radiance};
 use crate::kernel::{Cut, Sampling};
 use crate::real::Native;
-use crate::study::verify::nominal::{self, Nominal};
+use crate::study::verify::nominal::Nominal;
 use crate::study::verify::{Axis, GRID_SEGMENTS, VerifyError, truth};
 use rug::Float;
 
@@ -23,7 +23,7 @@ impl Asked<'_> {
         let scale = Float::with_val(bits, exact.abs_ref());
         let scale = scale.max(&Float::with_val(bits, ray.largest_emission()));
         // By its exponent: binary64 has no unit of so many bits as MPFR may have.
-        let mut floor = scale >> nominal::bits(self.declaration.format);
+        let mut floor = scale >> self.declaration.format.bits();
         if let Some(quantum) = self.declaration.quantum {
             floor = floor.max(&Float::with_val(bits, quantum / 2.0));
         }
