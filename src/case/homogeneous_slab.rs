@@ -6,7 +6,7 @@ use rug::Rational;
 
 /// τ = κ and C = c on [0, D] whatever the field (here s = 1); t(λ) = κλ, I(λ) = c (1 − exp(−κλ)).
 ///
-/// Source: Max (1995), equation 5. The closed form is proved in `proofs/Cases.v`.
+/// Source: Max (1995), equation 5. The closed form is proved in `proofs/theory/Cases.v`.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct HomogeneousSlab {
     /// D > 0.

@@ -8,14 +8,14 @@ use rug::Rational;
 ///
 /// Its source term C·τ = 1 is constant, which makes it degenerate for pre-integration.
 ///
-/// Source: Etiene, Kirby and Silva (2013), section 4. The closed form is proved in `proofs/Cases.v`.
+/// Source: Etiene, Kirby and Silva (2013), section 4. The closed form is proved in `proofs/theory/Cases.v`.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Reciprocal;
 
 /// s = 1/(1+λ), τ = s, C = s on [0, 1]; t(λ) = ln(1 + λ), I(λ) = (1 − (1+λ)⁻²)/2.
 ///
 /// Here C·τ = s² varies, so that errors of the interpolated source show. The closed form is proved in
-/// `proofs/Cases.v`.
+/// `proofs/theory/Cases.v`.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct ReciprocalSquare;
 

@@ -7,7 +7,7 @@ use rug::Rational;
 /// s = λ, C = sin s², τ = s cos s² on [0, 1]; t(λ) = sin(λ²)/2 and
 /// I(λ) = 2 − (sin λ² + 2) exp(−sin(λ²)/2).
 ///
-/// Source: Etiene, Kirby and Silva (2013), section 3. The closed form is proved in `proofs/Cases.v`.
+/// Source: Etiene, Kirby and Silva (2013), section 3. The closed form is proved in `proofs/theory/Cases.v`.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct SineSquared;
 

@@ -124,7 +124,7 @@ impl fmt::Display for Method {
 }
 
 /// The order that theory gives `method` on `case`: min(p, q, what else the method approximates), less
-/// what the case makes exact or blind. Proved for nested rules in `proofs/Order.v`. Breaks of the medium are
+/// what the case makes exact or blind. Proved for nested rules in `proofs/theory/Order.v`. Breaks of the medium are
 /// taken to lie off the nodes: see [`expected_on`].
 #[must_use]
 pub fn expected<C: Case>(method: &Method, case: &C) -> Expected {
