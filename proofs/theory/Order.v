@@ -19,15 +19,16 @@
     Rendering Integral Approximations", equation 22 with equation 3 (the inner
     rule) and 16 (the outer rule); their constants stay inside O().
 
-    Assumptions.  Those just named, 0 < d <= D, and an exact exponential.  Nothing
-    is assumed about where the nodes lie or about smoothness: that p and q hold is
-    for the rules and the case to answer.
+    Assumptions.  Those just named, 0 < d <= D, and an exact exponential.  Weights
+    may be negative, G and K_inner may not (the rule may lack nodes).  Nothing is
+    assumed about where the nodes lie or about smoothness: that p and q hold is for
+    the rules and the case to answer, and Nested.v draws it from Quadrature.v.
 
     Not claimed.  This bounds the error from above.  A nested rule may do better,
     as with a constant extinction, for which every inner rule is exact. *)
 
-From Coq Require Import Reals Lra Lia.
-From Volver Require Import Integral.
+From Coq Require Import Reals Lra Lia List.
+From Volver Require Import Integral Sums.
 Open Scope R_scope.
 
 (** An upper bound of the error over all n, at d = D/n. *)
@@ -69,98 +70,112 @@ Proof.
   apply Rmult_le_compat_r; [apply pow_le; lra | apply pow_incr; lra].
 Qed.
 
-Section Nested.
-Variables field extinction emission : R -> R.
-Variable D : R.
-
-(** An outer rule with nodes 0, ..., N, fed with optical depths from somewhere. *)
-Definition nested (N : nat) (weight node depth : nat -> R) : R :=
-  sum_f_R0 (fun i => weight i * source field extinction emission (node i) * exp (- depth i)) N.
-
-Definition depth_at (node : nat -> R) (i : nat) : R := optical_depth field extinction (node i).
-
-(** What an error [e] in the depths does to the outer rule. *)
-Lemma depth_error_propagates (N : nat) (weight node t depth : nat -> R) (L W G e : R) :
-  (forall i, (i <= N)%nat -> - L <= t i) ->
-  (forall i, (i <= N)%nat -> - L <= depth i) ->
-  (forall i, (i <= N)%nat -> Rabs (source field extinction emission (node i)) <= G) ->
-  (forall i, (i <= N)%nat -> Rabs (depth i - t i) <= e) ->
-  sum_f_R0 (fun i => Rabs (weight i)) N <= W ->
-  Rabs (nested N weight node t - nested N weight node depth) <= exp L * W * G * e.
+Lemma segment_length (D : R) (n : nat) : 0 < D -> (0 < n)%nat -> 0 < D / INR n <= D.
 Proof.
-  intros Ht Hdepth HG He HW. unfold nested. rewrite <- minus_sum.
-  eapply Rle_trans; [apply Rsum_abs |].
-  assert (G_pos : 0 <= G) by (eapply Rle_trans; [apply Rabs_pos | apply (HG 0%nat); lia]).
-  assert (e_pos : 0 <= e) by (eapply Rle_trans; [apply Rabs_pos | apply (He 0%nat); lia]).
-  assert (L_pos : 0 < exp L) by apply exp_pos.
-  apply Rle_trans with (sum_f_R0 (fun i => Rabs (weight i) * (G * (exp L * e))) N).
-  - apply sum_Rle. intros i Hi.
-    rewrite <- Rmult_minus_distr_l, !Rabs_mult, Rmult_assoc.
-    apply Rmult_le_compat_l; [apply Rabs_pos |].
-    apply Rmult_le_compat; try apply Rabs_pos; auto.
-    eapply Rle_trans; [apply transmittance_lipschitz; auto |].
-    rewrite Rabs_minus_sym. apply Rmult_le_compat_l; [lra | auto].
-  - rewrite <- scal_sum. replace (exp L * W * G * e) with (G * (exp L * e) * W) by ring.
-    apply Rmult_le_compat_l; [repeat apply Rmult_le_pos; lra | exact HW].
-Qed.
-
-(** Equation 22 at one step d, with its constant. *)
-Theorem min_order_bound (N p q : nat) (weight node depth : nat -> R)
-    (d K_inner K_outer L W G : R) :
-  let exact := radiance field extinction emission D in
-  let r := Nat.min p q in
-  0 < d <= D ->
-  (forall i, (i <= N)%nat -> - L <= depth_at node i) ->
-  (forall i, (i <= N)%nat -> - L <= depth i) ->
-  (forall i, (i <= N)%nat -> Rabs (source field extinction emission (node i)) <= G) ->
-  sum_f_R0 (fun i => Rabs (weight i)) N <= W ->
-  (forall i, (i <= N)%nat -> Rabs (depth i - depth_at node i) <= K_inner * d ^ p) ->
-  Rabs (exact - nested N weight node (depth_at node)) <= K_outer * d ^ q ->
-  Rabs (exact - nested N weight node depth)
-    <= (K_outer * D ^ (q - r) + exp L * W * G * K_inner * D ^ (p - r)) * d ^ r.
-Proof.
-  intros exact r Hd Ht Hdepth HG HW Hinner Houter.
-  assert (inner := depth_error_propagates N weight node (depth_at node) depth L W G
-    (K_inner * d ^ p) Ht Hdepth HG Hinner HW).
-  assert (nonnegative : forall K k x, Rabs x <= K * d ^ k -> 0 <= K).
-  { intros K k x Hx. apply Rmult_le_reg_r with (d ^ k); [apply pow_lt; lra |].
-    rewrite Rmult_0_l. eapply Rle_trans; [apply Rabs_pos | exact Hx]. }
-  assert (K_outer_pos := nonnegative _ _ _ Houter).
-  assert (constant_pos : 0 <= exp L * W * G * K_inner).
-  { apply nonnegative with p (nested N weight node (depth_at node) - nested N weight node depth).
-    now rewrite Rmult_assoc. }
-  assert (Hp := lower_power d D r p Hd (Nat.le_min_l p q)).
-  assert (Hq := lower_power d D r q Hd (Nat.le_min_r p q)).
-  apply (Rmult_le_compat_l _ _ _ constant_pos) in Hp.
-  apply (Rmult_le_compat_l _ _ _ K_outer_pos) in Hq.
-  replace (exact - nested N weight node depth)
-    with ((exact - nested N weight node (depth_at node))
-          + (nested N weight node (depth_at node) - nested N weight node depth)) by ring.
-  eapply Rle_trans; [apply Rabs_triang |]. lra.
-Qed.
-
-(** Equation 22 as the paper reads it: rules for n = 1, 2, ... segments. *)
-Theorem min_order (N : nat -> nat) (p q : nat) (weight node depth : nat -> nat -> R)
-    (K_inner L W G : R) :
-  let exact := radiance field extinction emission D in
-  0 < D ->
-  (forall n i, (0 < n)%nat -> (i <= N n)%nat -> - L <= depth_at (node n) i) ->
-  (forall n i, (0 < n)%nat -> (i <= N n)%nat -> - L <= depth n i) ->
-  (forall n i, (0 < n)%nat -> (i <= N n)%nat ->
-     Rabs (source field extinction emission (node n i)) <= G) ->
-  (forall n, (0 < n)%nat -> sum_f_R0 (fun i => Rabs (weight n i)) (N n) <= W) ->
-  (forall n i, (0 < n)%nat -> (i <= N n)%nat ->
-     Rabs (depth n i - depth_at (node n) i) <= K_inner * (D / INR n) ^ p) ->
-  has_order q D exact (fun n => nested (N n) (weight n) (node n) (depth_at (node n))) ->
-  has_order (Nat.min p q) D exact (fun n => nested (N n) (weight n) (node n) (depth n)).
-Proof.
-  intros exact HD Ht Hdepth HG HW Hinner [K_outer Houter].
-  exists (K_outer * D ^ (q - Nat.min p q) + exp L * W * G * K_inner * D ^ (p - Nat.min p q)).
-  intros n Hn. apply min_order_bound; auto.
-  assert (1 <= INR n) by (apply (le_INR 1); lia).
+  intros HD Hn. assert (1 <= INR n) by (apply (le_INR 1); lia).
   split; [apply Rdiv_lt_0_compat; lra |].
   apply Rmult_le_reg_r with (INR n); [lra |].
   replace (D / INR n * INR n) with D by (field; lra).
   rewrite <- (Rmult_1_r D) at 1. apply Rmult_le_compat_l; lra.
+Qed.
+
+Section Nested.
+Variables field extinction emission : R -> R.
+Variable D : R.
+
+(** Whatever numbers the nodes of the outer rule. *)
+Context {index : Type}.
+
+(** An outer rule with a list of nodes, fed with optical depths from somewhere. *)
+Definition nested (nodes : list index) (weight node depth : index -> R) : R :=
+  sum_over nodes (fun i => weight i * source field extinction emission (node i) * exp (- depth i)).
+
+Definition depth_at (node : index -> R) (i : index) : R :=
+  optical_depth field extinction (node i).
+
+(** What an error [e] in the transmittances does to the outer rule. *)
+Lemma transmittance_error_propagates (nodes : list index) (weight node T T' : index -> R)
+    (W G e : R) :
+  0 <= G -> 0 <= e ->
+  (forall i, In i nodes -> Rabs (source field extinction emission (node i)) <= G) ->
+  (forall i, In i nodes -> Rabs (T i - T' i) <= e) ->
+  sum_over nodes (fun i => Rabs (weight i)) <= W ->
+  Rabs (sum_over nodes (fun i => weight i * source field extinction emission (node i) * T i)
+        - sum_over nodes (fun i => weight i * source field extinction emission (node i) * T' i))
+    <= W * G * e.
+Proof.
+  intros G_pos e_pos HG He HW. rewrite sum_over_minus.
+  eapply Rle_trans; [apply sum_over_abs |].
+  apply Rle_trans with (sum_over nodes (fun i => G * e * Rabs (weight i))).
+  - apply sum_over_le. intros i Hi.
+    rewrite <- Rmult_minus_distr_l, !Rabs_mult, Rmult_assoc, (Rmult_comm _ (Rabs (weight i))).
+    apply Rmult_le_compat_l; [apply Rabs_pos |].
+    apply Rmult_le_compat; try apply Rabs_pos; auto.
+  - rewrite sum_over_scal. replace (W * G * e) with (G * e * W) by ring.
+    apply Rmult_le_compat_l; [now apply Rmult_le_pos | exact HW].
+Qed.
+
+(** Equation 22 at one step d, with its constant. *)
+Theorem min_order_bound (nodes : list index) (p q : nat) (weight node depth : index -> R)
+    (d K_inner K_outer L W G : R) :
+  let exact := radiance field extinction emission D in
+  let r := Nat.min p q in
+  0 < d <= D -> 0 <= K_inner -> 0 <= G ->
+  (forall i, In i nodes -> - L <= depth_at node i) ->
+  (forall i, In i nodes -> - L <= depth i) ->
+  (forall i, In i nodes -> Rabs (source field extinction emission (node i)) <= G) ->
+  sum_over nodes (fun i => Rabs (weight i)) <= W ->
+  (forall i, In i nodes -> Rabs (depth i - depth_at node i) <= K_inner * d ^ p) ->
+  Rabs (exact - nested nodes weight node (depth_at node)) <= K_outer * d ^ q ->
+  Rabs (exact - nested nodes weight node depth)
+    <= (K_outer * D ^ (q - r) + exp L * W * G * K_inner * D ^ (p - r)) * d ^ r.
+Proof.
+  intros exact r Hd K_inner_pos G_pos Ht Hdepth HG HW Hinner Houter.
+  assert (power_pos : forall k, 0 < d ^ k) by (intros k; apply pow_lt; lra).
+  assert (L_pos : 0 < exp L) by apply exp_pos.
+  assert (W_pos : 0 <= W).
+  { eapply Rle_trans; [| exact HW]. apply sum_over_nonnegative. intros i _. apply Rabs_pos. }
+  assert (K_outer_pos : 0 <= K_outer).
+  { apply Rmult_le_reg_r with (d ^ q); [apply power_pos |].
+    rewrite Rmult_0_l. eapply Rle_trans; [apply Rabs_pos | exact Houter]. }
+  assert (e_pos : 0 <= exp L * (K_inner * d ^ p)).
+  { assert (0 < d ^ p) by apply power_pos. repeat apply Rmult_le_pos; lra. }
+  assert (inner := transmittance_error_propagates nodes weight node
+    (fun i => exp (- depth_at node i)) (fun i => exp (- depth i)) W G
+    (exp L * (K_inner * d ^ p)) G_pos e_pos HG).
+  fold (nested nodes weight node (depth_at node)) (nested nodes weight node depth) in inner.
+  assert (constant_pos : 0 <= exp L * W * G * K_inner) by (repeat apply Rmult_le_pos; lra).
+  assert (Hp := lower_power d D r p Hd (Nat.le_min_l p q)).
+  assert (Hq := lower_power d D r q Hd (Nat.le_min_r p q)).
+  apply (Rmult_le_compat_l _ _ _ constant_pos) in Hp.
+  apply (Rmult_le_compat_l _ _ _ K_outer_pos) in Hq.
+  replace (exact - nested nodes weight node depth)
+    with ((exact - nested nodes weight node (depth_at node))
+          + (nested nodes weight node (depth_at node) - nested nodes weight node depth)) by ring.
+  eapply Rle_trans; [apply Rabs_triang |].
+  apply Rle_trans with (K_outer * d ^ q + W * G * (exp L * (K_inner * d ^ p))); [| lra].
+  apply Rplus_le_compat; [exact Houter | apply inner; [| exact HW]]. intros i Hi.
+  eapply Rle_trans; [apply transmittance_lipschitz; auto |].
+  rewrite Rabs_minus_sym. apply Rmult_le_compat_l; [lra | auto].
+Qed.
+
+(** Equation 22 as the paper reads it: rules for n = 1, 2, ... segments. *)
+Theorem min_order (nodes : nat -> list index) (p q : nat) (weight node depth : nat -> index -> R)
+    (K_inner L W G : R) :
+  let exact := radiance field extinction emission D in
+  0 < D -> 0 <= K_inner -> 0 <= G ->
+  (forall n i, (0 < n)%nat -> In i (nodes n) -> - L <= depth_at (node n) i) ->
+  (forall n i, (0 < n)%nat -> In i (nodes n) -> - L <= depth n i) ->
+  (forall n i, (0 < n)%nat -> In i (nodes n) ->
+     Rabs (source field extinction emission (node n i)) <= G) ->
+  (forall n, (0 < n)%nat -> sum_over (nodes n) (fun i => Rabs (weight n i)) <= W) ->
+  (forall n i, (0 < n)%nat -> In i (nodes n) ->
+     Rabs (depth n i - depth_at (node n) i) <= K_inner * (D / INR n) ^ p) ->
+  has_order q D exact (fun n => nested (nodes n) (weight n) (node n) (depth_at (node n))) ->
+  has_order (Nat.min p q) D exact (fun n => nested (nodes n) (weight n) (node n) (depth n)).
+Proof.
+  intros exact HD K_inner_pos G_pos Ht Hdepth HG HW Hinner [K_outer Houter].
+  exists (K_outer * D ^ (q - Nat.min p q) + exp L * W * G * K_inner * D ^ (p - Nat.min p q)).
+  intros n Hn. apply min_order_bound; auto using segment_length.
 Qed.
 End Nested.
