@@ -25,7 +25,8 @@ Open Scope R_scope.
 (** The right-hand side is the integral of (x - 1/2)^k over [0, 1]. *)
 Definition exact_below (Q : rule) (m : nat) : Prop :=
   forall k, (k < m)%nat ->
-  sum_over Q (fun '(c, w) => w * (c - 1/2) ^ k) = ((1/2) ^ (k + 1) - (- (1/2)) ^ (k + 1)) / INR (k + 1).
+  sum_over Q (fun '(c, w) => w * (c - 1/2) ^ k)
+  = ((1/2) ^ (k + 1) - (- (1/2)) ^ (k + 1)) / INR (k + 1).
 
 Definition taylor_constant (Q : rule) (m : nat) : R :=
   (1/2) ^ m / INR (fact (m + 1))
