@@ -11,9 +11,8 @@
         (c_outer g^q M_outer D D^(q - 1) + (D sum |w|) G (c_inner M_inner D) D^(p - 1)
          + (D sum |w|) G tau_max^2 D / 2) d.
 
-    Source.  The replacement is the usual step from the integral to compositing
-    with opacities: Etiene, Kirby and Silva, "A Study Of Discretization Errors In
-    Volume Rendering Integral Approximations", section 4, for the Riemann sum.
+    Source.  Textbook: the replacement is the usual step from the integral to
+    compositing with opacities (Max 1995).  The constants are worked out here.
 
     Assumptions.  Those of Nested.v; an extinction between 0 and tau_max along the
     ray; inner nodes on [0, 1], inner weights not negative and with sum 1.  At a node

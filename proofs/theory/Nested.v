@@ -14,8 +14,7 @@
     M_outer the q-th of the integrand, G the source, and no depth is below -L.
 
     Source.  Etiene, Kirby and Silva, "A Study Of Discretization Errors In Volume
-    Rendering Integral Approximations", section 4 and equation 22, where constants
-    stay inside O() and the orders of the rules are taken from textbooks.
+    Rendering Integral Approximations", equation 22, whose constants stay inside O().
 
     Assumptions.  The extinction has p derivatives along the ray and the integrand
     q, two-sided at the ends; D > 0, m > 0 and g > 0; exact arithmetic and an exact

@@ -10,8 +10,7 @@
     where M_inner bounds the derivative of the extinction and M_outer that of the
     integrand that belong to the rule's order, 1, 2 and 4, and G the source.
 
-    Source.  Etiene, Kirby and Silva, "A Study Of Discretization Errors In Volume
-    Rendering Integral Approximations", Table 1: orders 1, 2 and 4, without constants.
+    Source.  Nested.v (equation 22 of the paper) with the constants of Quadrature.v.
 
     Assumptions.  Those of Nested.v, and an extinction of at least 0.  The inner
     Simpson rule is used on each segment with the segment's midpoint, the outer one
