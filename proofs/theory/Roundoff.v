@@ -43,7 +43,6 @@ Definition error (computed exact : accumulator) : R :=
 Section Format.
 (** To the nearest number of [prec] bits, or multiple of 2^[emin] where that is coarser. *)
 Variables emin prec : Z.
-Context {prec_positive : Prec_gt_0 prec}.
 
 Definition rnd (x : R) : R := round radix2 (FLT_exp emin prec) ZnearestE x.
 
