@@ -24,7 +24,7 @@
 
 From Coq Require Import Reals Lra Lia.
 From Coquelicot Require Import Coquelicot.
-From Volver Require Import Integral Order.
+From Volver Require Import Integral Exponential Order.
 Open Scope R_scope.
 
 (** Whatever the field. *)
@@ -79,26 +79,6 @@ Proof.
   - replace (S (pred n)) with n by lia. do 2 f_equal. unfold d. field. lra.
 Qed.
 
-(** The difference is 0 at 0, and its derivative is nowhere negative. *)
-Lemma segment_excess (d : R) : 0 <= d -> (1 + d / 2) * (1 - exp (- d)) <= d.
-Proof.
-  intros Hd.
-  set (f := fun x => x - (1 + x / 2) * (1 - exp (- x))).
-  set (df := fun x => 1 / 2 - (1 + x) / 2 * exp (- x)).
-  destruct (MVT_gen f 0 d df) as [c [Hc difference]].
-  - intros x _. unfold f, df. auto_derive; [easy | field].
-  - intros x _. apply continuity_pt_filterlim, (ex_derive_continuous (V := R_NormedModule)).
-    unfold f. now auto_derive.
-  - rewrite Rmin_left, Rmax_right in Hc by lra.
-    assert ((1 + c) * exp (- c) <= 1).
-    { apply Rle_trans with (exp c * exp (- c)).
-      2: { rewrite <- exp_plus, Rplus_opp_r, exp_0. lra. }
-      apply Rmult_le_compat_r; [left; apply exp_pos | apply exp_ineq1_le]. }
-    assert (0 <= df c * (d - 0)) by (apply Rmult_le_pos; unfold df; lra).
-    assert (f 0 = 0) by (unfold f; rewrite Ropp_0, exp_0; ring).
-    unfold f in *. lra.
-Qed.
-
 Lemma opacity_positive (x : R) : 0 < x -> 0 < 1 - exp (- x).
 Proof.
   intros Hx. assert (exp (- x) < exp 0) by (apply exp_increasing; lra). rewrite exp_0 in *. lra.
@@ -118,7 +98,7 @@ Proof.
   apply Rmult_le_reg_r with (1 - exp (- d)); [easy |]. rewrite product.
   replace ((1 + d / 2) * I * (1 - exp (- d))) with ((1 + d / 2) * (1 - exp (- d)) * I) by ring.
   apply Rmult_le_compat_r; [unfold I; left; now apply opacity_positive |].
-  apply segment_excess. lra.
+  apply opacity_at_most. lra.
 Qed.
 
 Theorem neglected_attenuation_order_at_most_one (sample : nat -> nat -> R) (D : R) (k : nat) :

@@ -21,8 +21,8 @@
 
 From Coq Require Import Reals Lra.
 From Flocq Require Import Core Sterbenz.
-From Interval Require Import Tactic.
 From Gappa Require Import Gappa_tactic.
+From Volver Require Import Exponential.
 Open Scope R_scope.
 
 Definition binary32 (x : R) : Prop := generic_format radix2 (FLT_exp (-149) 24) x.
@@ -112,5 +112,7 @@ Proof.
       by (unfold F2R; simpl; lra).
     now apply binary32_written. }
   rewrite subtraction_exact by (easy || lra). unfold relative_error_at_most.
-  repeat split; interval with (i_prec 60).
+  assert (low := exp_opp_at_least_cubic (1025 / 2 ^ 20) ltac:(lra)).
+  assert (high := exp_opp_at_most (1025 / 2 ^ 20) ltac:(lra)).
+  rewrite (Rabs_pos_eq (exp _)), Rabs_pos_eq, Rabs_left by lra. lra.
 Qed.
