@@ -52,7 +52,8 @@ Proof. intros HD. apply (manufactured_radiance_eq (homogeneous D)). lra. Qed.
 (** [n] segments of a ray of length [D], each sampled where [sample] says. *)
 Definition neglecting (sample : nat -> nat -> R) (D : R) (n : nat) : R :=
   let d := D / INR n in
-  nested field one one (pred n) (fun _ => d) (sample n) (depth_at field one (fun i => INR i * d)).
+  sum_f_R0 (fun i => d * source field one one (sample n i)
+                     * exp (- optical_depth field one (INR i * d))) (pred n).
 
 (** A geometric series, as the medium is the same everywhere. *)
 Lemma geometric (d : R) (N : nat) :
@@ -74,7 +75,7 @@ Proof.
   set (d := D / INR n). assert (0 < d) by now apply Rdiv_lt_0_compat.
   replace (exp (- D)) with (exp (- (INR (S (pred n)) * d))).
   - rewrite <- geometric. f_equal. apply sum_eq. intros i _.
-    unfold depth_at, source, one. rewrite homogeneous_depth; [fold d; ring |].
+    unfold source, one. rewrite homogeneous_depth; [fold d; ring |].
     apply Rmult_le_pos; [apply pos_INR | fold d; lra].
   - replace (S (pred n)) with n by lia. do 2 f_equal. unfold d. field. lra.
 Qed.
