@@ -10,7 +10,8 @@
 //! [`diagnosis`] finds out from its values what it computes; [`assert_order!`] is that test in three lines.
 //! A [`study`] runs many, and [`report`] shows what came out. A [`scene`](mod@scene) is a ray as users have it, and a
 //! [plan](study::plan) the least that it needs.
-//! A module uses only those that stand before it: `real`, `symbolic`, `case`, `scene`, `quadrature`, `method`, `kernel`,
+//! A [`proof`] says a case to the proof assistant Coq.
+//! A module uses only those that stand before it: `real`, `symbolic`, `case`, `proof`, `scene`, `quadrature`, `method`, `kernel`,
 //! `reference`, `convergence`, `diagnosis`, `study`, `report`, `assert`.
 //!
 //! ```
@@ -54,6 +55,7 @@ pub mod convergence;
 pub mod diagnosis;
 pub mod kernel;
 pub mod method;
+pub mod proof;
 pub mod quadrature;
 pub mod real;
 pub mod reference;

@@ -101,7 +101,16 @@ Qed.
 Corollary manufactured_radiance_eq (l : R) :
   0 <= l <= D -> radiance field extinction emission l = I l.
 Proof. intros Hl. now apply is_RInt_unique, manufactured_radiance. Qed.
+
+(** Both at once, for rays that end anywhere before D: what the program states of a case. *)
+Theorem manufactured_integrals (l : R) :
+  0 <= l <= D ->
+  is_RInt (extinction_along field extinction) 0 l (t l) /\
+  is_RInt (integrand field extinction emission) 0 l (I l).
+Proof. intros Hl. split; [now apply manufactured_optical_depth | now apply manufactured_radiance]. Qed.
 End Soundness.
+
+Arguments manufactured_integrals : clear implicits.
 
 Arguments manufactured_optical_depth {field extinction emission t I D} case [l].
 Arguments manufactured_optical_depth_eq {field extinction emission t I D} case [l].

@@ -2,6 +2,7 @@
 
 pub(crate) mod json;
 mod nearest;
+mod orders;
 pub(crate) mod text;
 pub(crate) mod value;
 

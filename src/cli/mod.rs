@@ -13,6 +13,7 @@ mod manufacture;
 mod output;
 mod plan;
 mod progress;
+mod prove;
 mod reference;
 mod render;
 mod report;
@@ -43,6 +44,7 @@ Examples:
   volver cases sine-squared
   volver study --cases sine-squared --methods trapezoid/trapezoid --levels 8..256
   volver manufacture rgb-transfer --code python
+  volver prove sine-squared --no-check --write target/proofs
   volver reference sine-squared --digits 100
   volver stress --scenarios depth --formats f16,f32
   volver plan examples/scenes/smoke.toml --tolerance 1e-4
@@ -67,6 +69,7 @@ pub(crate) enum Command {
     Fit(fit::Fit),
     Cases(cases::Cases),
     Manufacture(manufacture::Manufacture),
+    Prove(prove::Prove),
     Reference(reference::ReferenceValue),
     Study(Box<study::Study>),
     Report(report::Report),
@@ -88,6 +91,7 @@ impl Command {
             Command::Fit(arguments) => arguments.run(),
             Command::Cases(arguments) => arguments.run(),
             Command::Manufacture(arguments) => arguments.run(),
+            Command::Prove(arguments) => arguments.run(),
             Command::Reference(arguments) => arguments.run(),
             Command::Study(arguments) => arguments.run(),
             Command::Report(arguments) => arguments.run(),

@@ -16,6 +16,7 @@ mod outer;
 mod preintegrated;
 #[cfg(test)]
 mod tests;
+mod theorem;
 
 pub use attenuation::Attenuation;
 pub use compositing::{
@@ -35,6 +36,7 @@ pub(crate) use preintegrated::attenuated_integral;
 pub use preintegrated::{
     Color, Integration, Interpolant, LastSegment, Opacity, Preintegrated, composite,
 };
+pub use theorem::Theorem;
 
 use crate::case::{Case, Nodes, Number};
 use std::fmt;
@@ -124,7 +126,7 @@ impl fmt::Display for Method {
 }
 
 /// The order that theory gives `method` on `case`: min(p, q, what else the method approximates), less
-/// what the case makes exact or blind. Proved for nested rules in `proofs/theory/Order.v`. Breaks of the medium are
+/// what the case makes exact or blind. Where it is proved, [`Method::theorem`] names the proof. Breaks of the medium are
 /// taken to lie off the nodes: see [`expected_on`].
 #[must_use]
 pub fn expected<C: Case>(method: &Method, case: &C) -> Expected {

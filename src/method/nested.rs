@@ -11,7 +11,7 @@ use std::fmt;
 /// Any inner rule under any outer rule with any exponential.
 ///
 /// I ≈ Σ Wᵢ Cᵢ τᵢ E(t̃(λᵢ)), with error O(d^min(p, q)) for an inner rule of order p and an outer one of
-/// order q (Etiene, Kirby and Silva 2013, equation 22; proved in `proofs/theory/Order.v`), further limited by
+/// order q (Etiene, Kirby and Silva 2013, equation 22; proved in `proofs/theory/Nested.v`), further limited by
 /// the order of a polynomial exponential.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub struct Nested {

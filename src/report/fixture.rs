@@ -15,6 +15,7 @@ pub(super) fn entry(row: &'static str, column: &'static str) -> Entry {
         paper: Some(4.8),
         protocol_order: Some(4.679_161),
         expected: Expected::Order(4.0),
+        theorem: None,
         asymptotic_order: Some(4.0),
         asymptotic_half_width: Some(0.009),
         window: Some((16, 256)),

@@ -1,6 +1,6 @@
 //! The report as a document: GitHub Markdown with a plot a table.
 
-use super::{Group, groups, legend};
+use super::{Group, groups, legend, proved};
 use crate::study::reproduce::{Entry, REPLICAS, Settings};
 use std::fmt::{self, Write};
 
@@ -33,6 +33,7 @@ fn document(settings: &Settings, entries: &[Entry], text: &mut String) -> fmt::R
         )?;
         list(&group, text)?;
         notes(&group, text)?;
+        theorems(&group, text)?;
     }
     words(entries, text)
 }
@@ -128,6 +129,15 @@ fn notes(group: &Group<'_>, text: &mut String) -> fmt::Result {
         writeln!(text, "- **{name}**: {}", escape(note))?;
     }
     if any { writeln!(text) } else { Ok(()) }
+}
+
+fn theorems(group: &Group<'_>, text: &mut String) -> fmt::Result {
+    writeln!(text, "Proofs of the orders expected:\n")?;
+    for (theorem, entries) in proved::theorems(group.entries()) {
+        let name = theorem.map_or("no theorem".into(), |t| format!("`{}`, {}", t.name, t.file));
+        writeln!(text, "- {name}: {}", escape(&entries))?;
+    }
+    writeln!(text)
 }
 
 fn words(entries: &[Entry], text: &mut String) -> fmt::Result {

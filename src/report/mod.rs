@@ -32,6 +32,7 @@ pub mod nonsmooth;
 pub mod page;
 pub mod plan;
 mod preflight;
+mod proved;
 pub mod stress;
 pub mod study;
 pub mod svg;

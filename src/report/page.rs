@@ -4,7 +4,7 @@ use super::html::{About, Block, Cell, Column, Fact, Page, Section, Table};
 use super::svg::plots;
 use super::text::style;
 use super::tone::{counts, tone};
-use super::{Group, groups, legend};
+use super::{Group, groups, legend, proved};
 use crate::study::reproduce::{Entry, REPLICAS, Settings};
 
 /// What [`markdown`](super::markdown::reproduction) says, with tables that sort and plots that answer.
@@ -37,6 +37,12 @@ pub fn reproduction(settings: &Settings, entries: &[Entry], about: &About) -> Pa
                 .push(Block::Text("Why paper and order differ:".into()));
             section.blocks.push(Block::Facts(notes));
         }
+        let theorems = proved::theorems(group.entries()).into_iter();
+        let theorems = theorems.map(|(theorem, of)| Fact::new(proved::name(theorem), of));
+        section
+            .blocks
+            .push(Block::Text("Proofs of the orders expected:".into()));
+        section.blocks.push(Block::Facts(theorems.collect()));
         page.sections.push(section);
     }
     page.sections.push(words(entries));

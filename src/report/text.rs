@@ -1,6 +1,6 @@
 //! The report for a terminal: the paper's figure beside the order, row by row.
 
-use super::{Group, groups, legend};
+use super::{Group, groups, legend, proved};
 use crate::convergence::Verdict;
 use crate::study::reproduce::Entry;
 use std::fmt::Write;
@@ -87,6 +87,18 @@ impl Page {
             let note = entry.note.as_deref().unwrap_or_default();
             let note = format!("{}: {note}", legend::name(entry));
             for line in wrap(&note, self.width, "* ", "  ") {
+                let _ = writeln!(text, "{line}");
+            }
+        }
+        text.push('\n');
+        let _ = writeln!(
+            text,
+            "{}",
+            self.paint("proofs of the orders expected", Style::Bold)
+        );
+        for (theorem, entries) in proved::theorems(group.entries()) {
+            let line = format!("{}: {entries}", proved::name(theorem));
+            for line in wrap(&line, self.width, "  ", "    ") {
                 let _ = writeln!(text, "{line}");
             }
         }

@@ -42,8 +42,10 @@ pub use pieces::{Piece, PiecesError, Place, pieces};
 pub use refute::{Witness, refute_zero};
 
 pub mod code;
+mod coq;
 mod latex;
 mod normal_form;
 mod zero_test;
+pub use coq::CoqError;
 pub use normal_form::{MAX_TERMS, MAX_WORK, Reduction, reduce};
 pub use zero_test::{ZeroTest, zero_test};

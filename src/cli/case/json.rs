@@ -1,5 +1,6 @@
 //! Cases as one JSON document.
 
+use super::orders::orders;
 use super::{Loaded, value};
 use rug::float::Round;
 use rug::{Float, Rational};
@@ -16,7 +17,7 @@ tags, length, formulas (field, extinction, emission, optical_depth, radiance, an
 extinction_along and emission_along of lambda), optical_depth and radiance at the
 far end, checks (statement, claim, outcome, at, value), closed_form, proved,
 suits_kernels, degenerate, breaks (part of the length, powers in extinction and
-source). Exact numbers are text, as in \"1/3\"; a value below 1e-300 is a string.";
+source), orders (method, order, theorem). Exact numbers are text, as in \"1/3\"; a value below 1e-300 is a string.";
 
 #[derive(Serialize)]
 struct Document<'a> {
@@ -49,6 +50,15 @@ struct Object<'a> {
     /// For pre-integration: C·τ is constant.
     degenerate: bool,
     breaks: Vec<BreakObject>,
+    orders: Vec<OrderObject>,
+}
+
+/// What theory expects of a method on the case.
+#[derive(Serialize)]
+struct OrderObject {
+    method: &'static str,
+    order: String,
+    theorem: Option<&'static str>,
 }
 
 #[derive(Serialize)]
@@ -123,6 +133,14 @@ fn object<'a>(loaded: &'a Loaded, case: &'a Manufactured) -> Object<'a> {
                 part: exact(&b.part),
                 extinction: exact(&b.extinction),
                 source: exact(&b.source),
+            })
+            .collect(),
+        orders: orders(case)
+            .into_iter()
+            .map(|o| OrderObject {
+                method: o.method,
+                order: o.expected,
+                theorem: o.theorem,
             })
             .collect(),
     }

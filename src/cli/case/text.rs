@@ -1,5 +1,6 @@
 //! A case as text: formulas, what was checked, and what a user should know.
 
+use super::orders::{Order, orders};
 use super::{Loaded, value};
 use rug::{Float, Rational};
 use std::fmt::Write;
@@ -118,8 +119,25 @@ impl Page {
         for fact in facts(case) {
             self.line("note", &fact);
         }
+        self.orders(case);
         if let Some(warning) = warning(case) {
             let _ = writeln!(self.text, "{warning}");
+        }
+    }
+
+    /// What theory expects, and the theorems behind that.
+    fn orders(&mut self, case: &Manufactured) {
+        let orders = orders(case);
+        let widths = |of: &dyn Fn(&Order) -> usize| orders.iter().map(of).max().unwrap_or(0);
+        let (method, order) = (widths(&|o| o.method.len()), widths(&|o| o.expected.len()));
+        for (index, line) in orders.iter().enumerate() {
+            let label = if index == 0 { "orders" } else { "" };
+            let theorem = line.theorem.unwrap_or("no theorem");
+            let _ = writeln!(
+                self.text,
+                "{label:<LABEL$}{:<method$}  {:<order$}  {theorem}",
+                line.method, line.expected
+            );
         }
     }
 

@@ -81,6 +81,7 @@ pub(super) fn entries<C: Case>(
                 paper: cell.paper,
                 protocol_order: protocol::order(&in_binary64),
                 expected,
+                theorem: cell.method.theorem(&case.structure()),
                 asymptotic_order: fit.order,
                 asymptotic_half_width: fit.half_width,
                 window: fit

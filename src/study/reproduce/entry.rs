@@ -2,7 +2,7 @@
 
 use super::Table;
 use crate::convergence::{Sample, Verdict, serialize_float};
-use crate::method::Expected;
+use crate::method::{Expected, Theorem};
 use rug::Float;
 use serde::ser::SerializeMap;
 use serde::{Serialize, Serializer};
@@ -24,6 +24,8 @@ pub struct Entry {
     pub protocol_order: Option<f64>,
     /// What theory expects.
     pub expected: Expected,
+    /// The proof of that order, where there is one.
+    pub theorem: Option<Theorem>,
     /// The order measured.
     pub asymptotic_order: Option<f64>,
     /// Half of its interval; without a window, a spread.
@@ -106,6 +108,7 @@ impl Serialize for Entry {
             Expected::Exact => map.serialize_entry("expected_order", "exact")?,
             Expected::Unknown => map.serialize_entry("expected_order", &None::<f64>)?,
         }
+        map.serialize_entry("theorem", &self.theorem)?;
         map.serialize_entry("asymptotic_order", &self.asymptotic_order.map(rounded))?;
         map.serialize_entry(
             "asymptotic_half_width",

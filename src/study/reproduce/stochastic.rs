@@ -119,6 +119,7 @@ fn entry(cell: &Cell<Stochastic>, levels: &[Replicas], seed: u64) -> Result<Entr
         paper: cell.paper,
         protocol_order: single_runs.first().copied(),
         expected,
+        theorem: None,
         asymptotic_order: order.map(|o| o.order),
         asymptotic_half_width: order.map(half_width),
         window: protocol::LADDER

@@ -1,0 +1,26 @@
+(** * emission-front: Light from the near end alone
+
+    Claim.  For every D on the ray, which has the length of the theorem's bound, the optical
+    depth and the volume rendering integral of the field, extinction and emission below exist,
+    and are [exact_depth D] and [exact_radiance D].
+
+    Written by volver prove; not to be edited. *)
+
+From Volver Require Import CaseTactic.
+
+Definition field (lambda : R) : R :=
+  lambda.
+Definition extinction (s : R) : R :=
+  1.
+Definition emission (s : R) : R :=
+  exp (-20 * s).
+Definition exact_depth (lambda : R) : R :=
+  lambda.
+Definition exact_radiance (lambda : R) : R :=
+  1 / 21 * (1 - exp (-21 * lambda)).
+
+Theorem emission_front (D : R) :
+  0 <= D <= 1 ->
+  is_RInt (extinction_along field extinction) 0 D (exact_depth D) /\
+  is_RInt (integrand field extinction emission) 0 D (exact_radiance D).
+Proof. prove_case. Qed.

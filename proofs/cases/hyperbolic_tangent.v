@@ -1,0 +1,26 @@
+(** * hyperbolic-tangent: Extinction that levels off like a hyperbolic tangent
+
+    Claim.  For every D on the ray, which has the length of the theorem's bound, the optical
+    depth and the volume rendering integral of the field, extinction and emission below exist,
+    and are [exact_depth D] and [exact_radiance D].
+
+    Written by volver prove; not to be edited. *)
+
+From Volver Require Import CaseTactic.
+
+Definition field (lambda : R) : R :=
+  lambda.
+Definition extinction (s : R) : R :=
+  tanh s.
+Definition emission (s : R) : R :=
+  2 / cosh s.
+Definition exact_depth (lambda : R) : R :=
+  ln (cosh lambda).
+Definition exact_radiance (lambda : R) : R :=
+  tanh lambda ^ 2.
+
+Theorem hyperbolic_tangent (D : R) :
+  0 <= D <= 2 ->
+  is_RInt (extinction_along field extinction) 0 D (exact_depth D) /\
+  is_RInt (integrand field extinction emission) 0 D (exact_radiance D).
+Proof. prove_case. Qed.

@@ -1,0 +1,26 @@
+(** * rational-radiance: A radiance chosen to be a rational function
+
+    Claim.  For every D on the ray, which has the length of the theorem's bound, the optical
+    depth and the volume rendering integral of the field, extinction and emission below exist,
+    and are [exact_depth D] and [exact_radiance D].
+
+    Written by volver prove; not to be edited. *)
+
+From Volver Require Import CaseTactic.
+
+Definition field (lambda : R) : R :=
+  lambda.
+Definition extinction (s : R) : R :=
+  1 / 2.
+Definition emission (s : R) : R :=
+  2 * exp (1 / 2 * s) / (1 + 2 * s + s ^ 2).
+Definition exact_depth (lambda : R) : R :=
+  1 / 2 * lambda.
+Definition exact_radiance (lambda : R) : R :=
+  lambda / (1 + lambda).
+
+Theorem rational_radiance (D : R) :
+  0 <= D <= 4 ->
+  is_RInt (extinction_along field extinction) 0 D (exact_depth D) /\
+  is_RInt (integrand field extinction emission) 0 D (exact_radiance D).
+Proof. prove_case. Qed.

@@ -1,0 +1,26 @@
+(** * sine-squared: The medium of the paper's Table 1
+
+    Claim.  For every D on the ray, which has the length of the theorem's bound, the optical
+    depth and the volume rendering integral of the field, extinction and emission below exist,
+    and are [exact_depth D] and [exact_radiance D].
+
+    Written by volver prove; not to be edited. *)
+
+From Volver Require Import CaseTactic.
+
+Definition field (lambda : R) : R :=
+  lambda.
+Definition extinction (s : R) : R :=
+  cos (s ^ 2) * s.
+Definition emission (s : R) : R :=
+  sin (s ^ 2).
+Definition exact_depth (lambda : R) : R :=
+  1 / 2 * sin (lambda ^ 2).
+Definition exact_radiance (lambda : R) : R :=
+  2 - (sin (lambda ^ 2) + 2) * exp (-1 / 2 * sin (lambda ^ 2)).
+
+Theorem sine_squared (D : R) :
+  0 <= D <= 1 ->
+  is_RInt (extinction_along field extinction) 0 D (exact_depth D) /\
+  is_RInt (integrand field extinction emission) 0 D (exact_radiance D).
+Proof. prove_case. Qed.
