@@ -11,7 +11,7 @@ const METHODS: [&str; 7] = [
     "simpson/trapezoid",
     "simpson/simpson",
     "gauss-3/boole",
-    "simpson/simpson/linear-exponential",
+    "simpson/simpson/linear",
     "front-to-back/middle/expm1",
 ];
 
