@@ -44,6 +44,14 @@ Qed.
 
 (** ** Side conditions: what a quotient, a logarithm or a square root needs *)
 
+Ltac sin_and_cos_bounds :=
+  repeat match goal with
+  | |- context [sin ?x] =>
+      lazymatch goal with _ : -1 <= sin x <= 1 |- _ => fail | _ => pose proof (SIN_bound x) end
+  | |- context [cos ?x] =>
+      lazymatch goal with _ : -1 <= cos x <= 1 |- _ => fail | _ => pose proof (COS_bound x) end
+  end.
+
 Ltac positive :=
   first
   [ lra
@@ -57,8 +65,7 @@ Ltac positive :=
   | match goal with |- 0 < ?a + ?x * (?x * 1) => assert (0 <= x * x) by apply Rle_0_sqr; lra end
   (* Before pi/2, which is more than 1. *)
   | apply cos_gt_0; assert (H := PI2_1); lra
-  | match goal with |- context [sin ?x] => assert (H := SIN_bound x); lra end
-  | match goal with |- context [cos ?x] => assert (H := COS_bound x); lra end
+  | progress sin_and_cos_bounds; lra
   | lazymatch goal with |- context [exp _] => fail | _ => nra end ].
 
 Ltac side :=
