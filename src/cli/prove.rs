@@ -59,13 +59,12 @@ fn examples() -> String {
         "{SOURCES}
 
 The theorem says, for every D on the ray, that optical depth and volume rendering
-integral exist and are the closed forms of the case. It rests on proofs/theory/ and
-needs Coq 8.16 or later with Coquelicot (Debian: apt-get install coq
-libcoq-coquelicot). Stated are cases with a closed form without
-branches and fractional powers.
+integral exist and are the closed forms of the case. A case needs a closed form
+without branches and fractional powers for it. Checking takes Coq 8.16 or later with
+Coquelicot (Debian: apt-get install coq libcoq-coquelicot), and seconds a case.
 
-The exit code is 1 where a theorem failed or was not checked, which --no-check asks
-for. A file that volver did not write is not overwritten.
+The exit code is 1 where a theorem failed, or was not checked although --no-check did
+not ask for that. A file that volver did not write is not overwritten.
 
 {}
 

@@ -20,7 +20,7 @@ fn terms_bind_as_the_expression_does() {
         ("ln(cosh(lambda))", "ln (cosh lambda)"),
         ("1/(1 + lambda)", "1 / (1 + lambda)"),
         ("1/(1 + lambda)^2", "1 / (1 + lambda) ^ 2"),
-        ("lambda/(2*pi)", "1 / 2 * lambda / PI"),
+        ("lambda/(2*pi)", "lambda / (2 * PI)"),
         ("-1/lambda", "- 1 / lambda"),
         ("1/sqrt(pi)", "1 / sqrt PI"),
         ("sqrt(1 + lambda)*lambda", "sqrt (1 + lambda) * lambda"),
