@@ -10,25 +10,13 @@
 
 From Coq Require Import Reals Lra.
 From Coquelicot Require Import Coquelicot.
-From Volver Require Import Integral.
+From Volver Require Import Derivatives.
 Open Scope R_scope.
 
-Lemma nonnegative_by_derivative (F f : R -> R) (b : R) :
-  0 <= b -> F 0 = 0 ->
-  (forall x, 0 <= x <= b -> is_derive F x (f x)) ->
-  (forall x, 0 <= x <= b -> continuous f x) ->
-  (forall x, 0 <= x <= b -> 0 <= f x) -> 0 <= F b.
-Proof.
-  intros Hb HF0 HF Hf positive.
-  assert (integral := integral_of_derivative F f b Hb HF0 HF Hf).
-  rewrite <- (is_RInt_unique _ _ _ _ integral).
-  apply RInt_ge_0; [easy | now eexists; apply integral | intros x Hx; apply positive; lra].
-Qed.
-
-(** The side conditions of the above, but for the sign. *)
-Ltac by_derivative F f b := apply (nonnegative_by_derivative F f b);
-  [easy | rewrite Ropp_0, exp_0; field | intros x _; auto_derive; [easy | field]
-  | intros x _; apply (ex_derive_continuous (V := R_NormedModule)); now auto_derive |].
+(** F b >= 0 as F 0 = 0 and F has the derivative f; leaves that f >= 0. *)
+Ltac by_derivative F f b :=
+  apply Rle_trans with (F 0); [right; cbv beta; rewrite Ropp_0, exp_0; field |];
+  apply (nondecreasing F f b); [easy | intros x _; auto_derive; [easy | field] |].
 
 Lemma exp_opp_at_least (x : R) : 1 - x <= exp (- x).
 Proof. apply exp_ineq1_le. Qed.
