@@ -188,18 +188,21 @@ Ltac at_0 :=
     end;
     identity ].
 
-(** All of a case.  Fails where a part stays open, so that [Qed] is not what finds out. *)
+Tactic Notation "part" string(failure) tactic3(proof) :=
+  first [ solve [proof] | fail 1 failure ].
+
+(** All of a case.  Says which part stays open, so that [Qed] is not what finds out. *)
 Ltac prove_case :=
-  match goal with
+  lazymatch goal with
   | |- 0 <= ?D <= ?length -> is_RInt (extinction_along ?s ?tau) 0 ?D (?t ?D) /\
                              is_RInt (integrand ?s ?tau ?C) 0 ?D (?I ?D) =>
     let H := fresh in
     intros H; refine (manufactured_integrals s tau C t I length _ D H); clear H;
     split; unfold extinction_along, source, s, tau, C, t, I;
-    [ intros l Hl; solve [continuity]
-    | intros l Hl; solve [continuity]
-    | intros l Hl; solve [derivative]
-    | intros l Hl; solve [derivative]
-    | solve [at_0]
-    | solve [at_0] ]
+    [ intros l Hl; part "tau is not seen to be continuous on the ray" continuity
+    | intros l Hl; part "C tau is not seen to be continuous on the ray" continuity
+    | intros l Hl; part "the derivative of the depth is not seen to be tau" derivative
+    | intros l Hl; part "the derivative of the radiance is not seen to be C tau exp(-t)" derivative
+    | part "the depth is not seen to be 0 at 0" at_0
+    | part "the radiance is not seen to be 0 at 0" at_0 ]
   end.
