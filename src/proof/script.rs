@@ -3,7 +3,6 @@
 use crate::case::manufacture::Manufactured;
 use crate::case::{Case, Description};
 use crate::symbolic::{CoqError, Expr};
-use rug::Rational;
 use std::fmt::Write;
 
 /// What stands in every file that is written, and in no other.
@@ -119,7 +118,7 @@ impl Statement {
             })
         };
         Ok(Statement {
-            length: length(&case.case.length()),
+            length: term("the length", &Expr::number(case.case.length()))?,
             definitions: [
                 ("field", "lambda", term("the field", &formulas.field)?),
                 (
@@ -150,14 +149,6 @@ Proof. prove_case. Qed.
 ",
             self.length
         );
-    }
-}
-
-fn length(q: &Rational) -> String {
-    if *q.denom() == 1 {
-        q.to_string()
-    } else {
-        format!("{} / {}", q.numer(), q.denom())
     }
 }
 
