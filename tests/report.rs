@@ -7,7 +7,8 @@ use assert_cmd::cargo::cargo_bin_cmd;
 use std::fs;
 use std::path::Path;
 use tempfile::TempDir;
-use volver::report::html::{Block, Page, Table, read};
+use volver::document::{Block, Document, Table};
+use volver::render::html::read;
 
 fn volver(dir: &Path, arguments: &[&str]) -> Command {
     let mut command = cargo_bin_cmd!("volver");
@@ -46,12 +47,12 @@ fn studies() -> TempDir {
     dir
 }
 
-fn page(file: &Path) -> Page {
+fn page(file: &Path) -> Document {
     read(&fs::read_to_string(file).unwrap()).unwrap()
 }
 
 /// The table under this heading with this caption.
-fn table<'a>(page: &'a Page, heading: &str, caption: &str) -> Option<&'a Table> {
+fn table<'a>(page: &'a Document, heading: &str, caption: &str) -> Option<&'a Table> {
     let sections = page
         .sections
         .iter()
@@ -64,11 +65,13 @@ fn table<'a>(page: &'a Page, heading: &str, caption: &str) -> Option<&'a Table> 
         })
 }
 
-fn plots(page: &Page) -> usize {
+fn plots(page: &Document) -> usize {
     let blocks = page.sections.iter().flat_map(|section| &section.blocks);
-    blocks
-        .filter(|block| matches!(block, Block::Plot(_)))
-        .count()
+    let plots = blocks.map(|block| match block {
+        Block::Figure(figure) => figure.plots.len(),
+        _ => 0,
+    });
+    plots.sum()
 }
 
 #[test]
@@ -179,7 +182,7 @@ fn a_merged_page_says_what_differs_and_keeps_all() {
     let heading = "sine-squared, trapezoid/trapezoid";
     let caption = "Orders and roundoff, a row a format";
     let differing = table(&merged, "What differs", &format!("{heading}: {caption}")).unwrap();
-    let order = |page: &Page| table(page, heading, caption).unwrap().rows[0][1].clone();
+    let order = |page: &Document| table(page, heading, caption).unwrap().rows[0][1].clone();
     let [before, after] = both.each_ref().map(order);
     let row = differing
         .rows

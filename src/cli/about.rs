@@ -1,6 +1,6 @@
 //! What a page says of its making.
 
-use volver::report::html::About;
+use volver::document::About;
 
 /// The command as it was given, on this machine.
 pub(crate) fn about() -> About {

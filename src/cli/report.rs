@@ -4,8 +4,9 @@ use super::about::about;
 use super::{Failure, Outcome, write_out};
 use clap::Args;
 use std::path::{Path, PathBuf};
+use volver::render::html;
+use volver::report;
 use volver::report::comparison::{Comparison, compare, read_all};
-use volver::report::{self, html};
 
 /// What the page is called where nothing else is said.
 const FILE: &str = "report.html";

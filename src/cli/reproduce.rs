@@ -3,15 +3,15 @@
 mod nonsmooth;
 
 use super::about::about;
-use super::{Bar, Color, Failure, Outcome, write_out};
+use super::output::Output;
+use super::{Bar, Color, Failure, Outcome};
 use clap::Args;
 use std::collections::HashSet;
-use std::fmt::Write;
-use std::path::{Path, PathBuf};
+use std::path::PathBuf;
 use std::str::FromStr;
 use volver::convergence::Ladder;
 use volver::real::FormatName;
-use volver::report::{self, ReportError};
+use volver::report::reproduce::{document, json, write};
 use volver::study::reproduce::{
     Entry, LADDER, ORACLE_BITS, RuleName, Settings, TableNumber, reproduce, work,
 };
@@ -84,35 +84,28 @@ pub(crate) struct Reproduce {
 impl Reproduce {
     pub(crate) fn run(self) -> Result<Outcome, Failure> {
         if self.nonsmooth {
-            self.check_places()?;
+            self.output().check()?;
             return self.nonsmooth();
         }
         let settings = self.settings()?;
         settings
             .check()
             .map_err(|error| Failure::Usage(format!("--levels: {error}")))?;
-        self.check_places()?;
+        self.output().check()?;
         let bar = Bar::new(work(&settings));
         let entries = reproduce(&settings, &bar);
         bar.finish();
         let entries = entries.map_err(|error| Failure::Usage(error.to_string()))?;
-        self.write(&settings, &entries)?;
+        self.output().hand_out(
+            &document(&settings, &entries, &about()),
+            |directory| write(directory, &settings, &entries, &about()),
+            |_| json(&settings, &entries),
+        )?;
         Ok(if entries.iter().any(Entry::contradicts_theory) {
             Outcome::CheckFailed
         } else {
             Outcome::Good
         })
-    }
-
-    /// Whether reports will find their places, asked before the work is done.
-    fn check_places(&self) -> Result<(), Failure> {
-        if let Some(directory) = &self.out {
-            report::prepare_directory(directory)?;
-        }
-        if let Some(file) = self.json.as_deref().filter(|file| *file != Path::new("-")) {
-            report::check_file(file)?;
-        }
-        Ok(())
     }
 
     fn settings(&self) -> Result<Settings, Failure> {
@@ -163,44 +156,13 @@ impl Reproduce {
         }
     }
 
-    /// Standard output is for one thing at a time.
-    fn prints_tables(&self) -> bool {
-        !self.quiet && self.json.as_deref() != Some(Path::new("-"))
-    }
-
-    fn write(&self, settings: &Settings, entries: &[Entry]) -> Result<(), Failure> {
-        self.hand_out(
-            || report::text::reproduction(entries, super::width(), self.color.is_on()),
-            |directory| report::write_directory(directory, settings, entries, &about()),
-            || report::json::reproduction(settings, entries),
-        )
-    }
-
-    /// Writes a report in all forms that are asked for.
-    pub(super) fn hand_out(
-        &self,
-        tables: impl Fn() -> String,
-        write: impl Fn(&Path) -> Result<Vec<PathBuf>, ReportError>,
-        json: impl Fn() -> Result<String, ReportError>,
-    ) -> Result<(), Failure> {
-        let mut printed = String::new();
-        if self.prints_tables() {
-            printed += &tables();
+    /// Where reports go to.
+    pub(super) fn output(&self) -> Output<'_> {
+        Output {
+            out: self.out.as_deref(),
+            files: vec![("--json", self.json.as_deref())],
+            quiet: self.quiet,
+            color: self.color,
         }
-        if let Some(directory) = &self.out {
-            let files = write(directory)?;
-            if self.prints_tables() {
-                let _ = writeln!(printed, "{} files in {}", files.len(), directory.display());
-            }
-        }
-        if let Some(file) = &self.json {
-            let json = json()?;
-            if file == Path::new("-") {
-                printed += &json;
-            } else {
-                report::write_file(file, &json)?;
-            }
-        }
-        write_out(&printed)
     }
 }

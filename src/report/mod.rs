@@ -1,38 +1,26 @@
-//! What was measured, for people and programs: one format a file.
+//! What was measured, as documents: one builder a command.
 //!
-//! | format | what |
+//! A builder arranges what a study found into a [`Document`](crate::document::Document); nothing here computes an order, and
+//! nothing here knows how a document will look: that is for the back ends of [`render`](crate::render). JSON is the result
+//! itself, by serde.
+//!
+//! | builder | what |
 //! |---|---|
-//! | [`text`] | for the terminal: the paper's figure beside the order, row by row |
-//! | [`markdown`] | the same as a document, with plots |
-//! | [`page`] | the same as a page, with tables that sort and plots that answer |
-//! | [`json`] | everything, for programs |
-//! | [`svg`] | log–log convergence plots; cases along their ray |
-//! | [`html`] | one page that opens in a browser, of any report |
+//! | [`reproduce`] | the paper's tables, measured again |
+//! | [`nonsmooth`] | the table of jumps and kinks |
+//! | [`study`] | a study of errors and their parts |
+//! | [`verify`](mod@verify) | a kernel put to the test |
+//! | [`stress`] | digits and verdicts at the extremes |
+//! | [`tradeoff`] | error against cost |
+//! | [`plan`] | the least model of a scene |
 //! | [`comparison`] | several reports on one page, what differs first |
-//! | [`write_directory`] | all of them as files |
-//! | [`nonsmooth`] | the table of jumps and kinks, as text, Markdown and JSON |
-//! | [`study`] | a study, as text, Markdown, JSON, CSV, LaTeX and plots |
-//! | [`verify`](mod@verify) | a kernel put to the test, as text, Markdown, JSON, `JUnit` XML and plots |
-//! | [`stress`] | digits and verdicts at the extremes, as text, Markdown, JSON and a heat map |
-//! | [`tradeoff`] | error against cost, as text, Markdown, JSON, CSV, LaTeX and plots |
-//!
-//! Nothing here computes an order: a report shows what [`Entry`](crate::study::reproduce::Entry) and
-//! [`Fit`](crate::convergence::Fit) hold.
 
 pub mod comparison;
-mod error;
 #[cfg(test)]
 mod fixture;
-mod group;
-pub mod html;
-pub mod json;
-mod legend;
-pub mod markdown;
 pub mod nonsmooth;
-pub mod page;
 pub mod plan;
-mod preflight;
-mod proved;
+pub mod reproduce;
 pub mod stress;
 pub mod study;
 pub mod svg;
@@ -40,9 +28,6 @@ pub mod text;
 mod tone;
 pub mod tradeoff;
 pub mod verify;
-mod write;
 
-pub use error::ReportError;
-pub use group::{Group, Row, groups};
-pub use preflight::{check_file, prepare_directory};
-pub use write::{write_directory, write_file};
+pub use crate::render::{ReportError, check_file, prepare_directory, write_file};
+pub use reproduce::{Group, Row, groups};

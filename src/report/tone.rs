@@ -1,7 +1,7 @@
 //! On a page a verdict is as good or bad as on a terminal.
 
-use super::html::{Fact, Tone};
 use super::text::Style;
+use crate::document::{Fact, Tone};
 
 pub(super) fn tone(style: Style) -> Tone {
     match style {

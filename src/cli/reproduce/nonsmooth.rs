@@ -2,8 +2,8 @@
 
 use super::Reproduce;
 use crate::cli::about::about;
-use crate::cli::{Bar, Failure, Outcome, width};
-use volver::report::nonsmooth::{json, text, write};
+use crate::cli::{Bar, Failure, Outcome};
+use volver::report::nonsmooth::{document, json, write};
 use volver::study::nonsmooth::{Cell, measure, work};
 
 impl Reproduce {
@@ -12,10 +12,10 @@ impl Reproduce {
         let cells = measure(&bar);
         bar.finish();
         let cells = cells.map_err(|error| Failure::Usage(error.to_string()))?;
-        self.hand_out(
-            || text(&cells, width(), self.color.is_on()),
+        self.output().hand_out(
+            &document(&cells, &about()),
             |directory| write(directory, &cells, &about()),
-            || json(&cells),
+            |_| json(&cells),
         )?;
         Ok(if cells.iter().any(Cell::contradicts_theory) {
             Outcome::CheckFailed

@@ -1,6 +1,6 @@
 //! The cells of a table by their names, and how two of them differ.
 
-use crate::report::html::{Cell, Kind, Table, Tone};
+use crate::document::{Cell, Kind, Table, Tone};
 use std::collections::HashMap;
 
 /// The name of a row or column, and which of those of this name it is.

@@ -2,7 +2,7 @@
 
 use super::Part;
 use super::cells::{Placed, change, placed};
-use crate::report::html::{Block, Cell, Column, Table, Tone};
+use crate::document::{Block, Cell, Column, Table, Tone};
 use std::collections::HashMap;
 
 /// What differs between reports.
@@ -59,7 +59,7 @@ fn tables(part: &Part) -> impl Iterator<Item = (Place<'_>, &Table)> {
                 );
                 Some((place, table))
             }
-            Block::Text(_) | Block::Facts(_) | Block::Plot(_) => None,
+            _ => None,
         })
     })
 }

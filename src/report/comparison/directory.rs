@@ -1,7 +1,8 @@
 //! The reports of a directory, by their pages.
 
 use super::KIND;
-use crate::report::html::{INDEX, Page, PageError, read};
+use crate::document::Document;
+use crate::render::html::{INDEX, PageError, read};
 use std::fs;
 use std::io;
 use std::path::{Path, PathBuf};
@@ -12,7 +13,7 @@ pub struct Part {
     /// The directory as it was given, and the kind of report where the directory has several.
     pub name: String,
     /// The report.
-    pub page: Page,
+    pub page: Document,
 }
 
 /// Why reports cannot be compared.
@@ -35,7 +36,7 @@ pub enum ComparisonError {
     },
     /// A page cannot be read back.
     #[error("'{}': {reason}", path.display())]
-    Page {
+    Document {
         /// The page.
         path: PathBuf,
         /// Why.
@@ -86,12 +87,12 @@ fn of_directory(dir: &Path) -> Result<Vec<Part>, ComparisonError> {
             // Another program's pages may lie beside ours.
             Err(PageError::Foreign) if name != INDEX => {}
             Err(PageError::Foreign) => foreign = Some(path),
-            Err(reason) => return Err(ComparisonError::Page { path, reason }),
+            Err(reason) => return Err(ComparisonError::Document { path, reason }),
         }
     }
     if pages.is_empty() {
         return Err(match foreign {
-            Some(path) => ComparisonError::Page {
+            Some(path) => ComparisonError::Document {
                 path,
                 reason: PageError::Foreign,
             },
@@ -100,7 +101,7 @@ fn of_directory(dir: &Path) -> Result<Vec<Part>, ComparisonError> {
     }
     let shown = dir.display();
     let is_alone = pages.len() == 1;
-    let part = |page: Page| Part {
+    let part = |page: Document| Part {
         name: if is_alone {
             shown.to_string()
         } else {

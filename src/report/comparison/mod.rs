@@ -1,8 +1,9 @@
 //! Several reports on one page: what differs between them first, then each.
 //!
 //! ```no_run
+//! use volver::document::About;
+//! use volver::render::html::render;
 //! use volver::report::comparison::{compare, read_all};
-//! use volver::report::html::{About, render};
 //!
 //! let parts = read_all(&["before", "after"])?;
 //! let comparison = compare(&parts, About::new(["volver", "report", "before", "after"]));
@@ -19,7 +20,7 @@ mod tests;
 
 pub use directory::{ComparisonError, Part, read_all};
 
-use super::html::{About, Block, Cell, Column, Fact, Page, Section, Table, Tone};
+use crate::document::{About, Block, Cell, Column, Document, Fact, Section, Table, Tone};
 use differences::{Differences, differences};
 
 /// The kind of page that is no report but several.
@@ -29,7 +30,7 @@ const KIND: &str = "comparison";
 #[derive(Clone, Debug, PartialEq)]
 pub struct Comparison {
     /// The page.
-    pub page: Page,
+    pub page: Document,
     /// Cells that stand in more than one report.
     pub cells: usize,
     /// Verdicts among them that differ.
@@ -43,7 +44,7 @@ pub struct Comparison {
 /// same.
 #[must_use]
 pub fn compare(parts: &[Part], about: About) -> Comparison {
-    let mut page = Page::new(KIND, "Reports compared", about);
+    let mut page = Document::new(KIND, "Reports compared", about);
     let found = differences(parts);
     page.summary = summary(parts, &found);
     page.sections.push(side_by_side(parts));
@@ -54,6 +55,7 @@ pub fn compare(parts: &[Part], about: About) -> Comparison {
         page.sections.push(heading(part));
         for section in &part.page.sections {
             page.sections.push(Section {
+                is_aside: section.is_aside,
                 id: format!("{}-{}", part.name, section.id),
                 title: format!("{} · {}", part.name, section.title),
                 blocks: section.blocks.clone(),
@@ -87,7 +89,7 @@ fn summary(parts: &[Part], found: &Differences) -> Vec<Fact> {
 /// What [`own`] says, by name.
 const OWN: [&str; 5] = ["report", "command", "volver", "seed", "machine"];
 
-fn own(page: &Page) -> [String; 5] {
+fn own(page: &Document) -> [String; 5] {
     let about = &page.about;
     [
         page.title.clone(),
@@ -164,7 +166,7 @@ fn heading(part: &Part) -> Section {
     section
 }
 
-fn seeds(page: &Page) -> Option<String> {
+fn seeds(page: &Document) -> Option<String> {
     let seeds: Vec<String> = page.about.seeds.iter().map(ToString::to_string).collect();
     (!seeds.is_empty()).then(|| seeds.join(", "))
 }

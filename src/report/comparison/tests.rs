@@ -1,10 +1,10 @@
 //! What differs between two small reports.
 
 use super::*;
-use crate::report::html::Kind;
+use crate::document::Kind;
 
 fn part(name: &str, rows: &[(&str, f64, Tone)]) -> Part {
-    let mut page = Page::new("study", "Trial", About::new(["volver"]));
+    let mut page = Document::new("study", "Trial", About::new(["volver"]));
     let mut table = Table::new(
         "Orders",
         [

@@ -1,6 +1,6 @@
 //! Everything, for programs.
 
-use super::ReportError;
+use crate::render::ReportError;
 use crate::study::nonsmooth::{BITS, Cell, LADDER, Place, STARTS, numbers};
 use serde::Serialize;
 use std::collections::BTreeMap;

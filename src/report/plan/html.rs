@@ -1,18 +1,19 @@
 //! A plan as a page.
 
 use super::words::{because, bound, effort, left_out, medium, place, sum};
-use crate::report::html::{
-    About, Axis, Block, Cell, Column, Fact, Guide, Page, Plot, Point, Section, Series, Table, Tone,
+use crate::document::{
+    self, About, Axis, Block, Cell, Column, Document, Fact, Guide, Plot, Point, Section, Series,
+    Table, Tone,
 };
 use crate::study::plan::{Plan, Step};
 use crate::symbolic::parse_number;
 
 /// What [`markdown`](super::markdown()) says, with tables that sort, and how the bounds add up along the ray.
 #[must_use]
-pub fn page(plan: &Plan, about: &About) -> Page {
+pub fn page(plan: &Plan, about: &About) -> Document {
     let stored = plan.stored();
     let title = format!("The least model of {}", plan.scene().name());
-    let mut page = Page::new("plan", title, about.clone());
+    let mut page = Document::new("plan", title, about.clone());
     if let Some(checked) = &stored.checked {
         for channel in &checked.channels {
             let is_within = channel.error <= stored.tolerance;
@@ -74,7 +75,9 @@ fn steps(plan: &Plan) -> Section {
         ]);
     }
     section.blocks.push(Block::Table(table));
-    section.blocks.push(Block::Plot(bounds(plan)));
+    section
+        .blocks
+        .push(Block::Figure(document::Figure::new("", "", [bounds(plan)])));
     if let Some(stop) = &stored.stop {
         let text = format!(
             "The ray may end at {}: nothing behind it matters.",

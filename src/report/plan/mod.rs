@@ -12,8 +12,9 @@ pub use markdown::markdown;
 pub use text::text;
 
 use super::ReportError;
-use super::html::{About, place};
-use super::write::write_files;
+use crate::document::About;
+use crate::render::html::place;
+use crate::render::write_files;
 use crate::study::plan::Plan;
 use std::path::{Path, PathBuf};
 

@@ -3,14 +3,14 @@
 use super::Grid;
 use super::heat_map::MOST;
 use super::words::{FIGURES, accusation, figure, occurring, omissions};
-use crate::report::html::{self, About, Block, Column, Fact, Page, Section, Table, Tone};
+use crate::document::{self, About, Block, Column, Document, Fact, Section, Table, Tone};
 use crate::study::stress::{Cell, Digits, GROUPS};
 
 /// What [`markdown`](super::markdown()) says, with tables that sort.
 #[must_use]
-pub fn page(cells: &[Cell], about: &About) -> Page {
+pub fn page(cells: &[Cell], about: &About) -> Document {
     let grid = Grid::new(cells);
-    let mut page = Page::new("stress", "The extremes", about.clone());
+    let mut page = Document::new("stress", "The extremes", about.clone());
     let judged = cells.iter().filter(|cell| cell.verdict.is_some()).count();
     let wrong = cells.iter().filter(|cell| cell.is_silently_wrong()).count();
     let tone = if wrong == 0 { Tone::Good } else { Tone::Bad };
@@ -55,7 +55,7 @@ fn table(grid: &Grid<'_>, method: &str) -> Table {
             cell.map(shown).unwrap_or_default()
         });
         table.rows.push(
-            std::iter::once(html::Cell::text(*scenario))
+            std::iter::once(document::Cell::text(*scenario))
                 .chain(cells)
                 .collect(),
         );
@@ -63,13 +63,13 @@ fn table(grid: &Grid<'_>, method: &str) -> Table {
     table
 }
 
-fn shown(cell: &Cell) -> html::Cell {
+fn shown(cell: &Cell) -> document::Cell {
     let digits = match cell.digits {
         Some(Digits::Exact) => Some(MOST),
         Some(Digits::Of(digits)) => Some(digits),
         None => None,
     };
-    let shown = html::Cell::number(figure(cell), digits.filter(|_| cell.verdict.is_none()));
+    let shown = document::Cell::number(figure(cell), digits.filter(|_| cell.verdict.is_none()));
     match (cell.verdict, digits) {
         _ if cell.is_silently_wrong() => shown.toned(Tone::Bad),
         (Some(_), _) => shown.toned(Tone::Open),

@@ -4,7 +4,7 @@ use super::names::{Figure, figures};
 use super::text::style;
 use super::words::{LEGEND, best, crossing, exponent, order, theory, warnings};
 use crate::convergence::Fit;
-use crate::report::html::{About, Block, Cell, Column, Fact, Page, Section, Table, Tone};
+use crate::document::{self, About, Block, Cell, Column, Document, Fact, Section, Table, Tone};
 use crate::report::svg::plots;
 use crate::report::tone::{counts, tone};
 use crate::study::sweep::{Line, Results, TOLERANCES};
@@ -12,8 +12,8 @@ use std::f64::consts::LOG10_2;
 
 /// What [`markdown`](super::markdown()) says, with tables that sort and plots that answer.
 #[must_use]
-pub fn page(results: &Results, about: &About) -> Page {
-    let mut page = Page::new("study", "A study of errors", about.clone());
+pub fn page(results: &Results, about: &About) -> Document {
+    let mut page = Document::new("study", "A study of errors", about.clone());
     let lines = || results.lines.iter().filter(|line| !line.swept);
     page.summary = counts(lines().map(|line| {
         let verdict = line.summary.discretization.verdict;
@@ -91,9 +91,11 @@ fn section(figure: &Figure<'_>) -> Section {
         section.blocks.push(Block::Text(words));
     }
     section.blocks.push(Block::Table(table(lines)));
-    section
-        .blocks
-        .extend(plots::of_split(lines).into_iter().map(Block::Plot));
+    section.blocks.extend([Block::Figure(document::Figure::new(
+        "",
+        "",
+        plots::of_split(lines),
+    ))]);
     let remarks = lines.iter().flat_map(|line| {
         let remark = |warning| Fact::new(&line.format, warning).toned(Tone::Open);
         warnings(line).into_iter().map(remark)

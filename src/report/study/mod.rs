@@ -18,8 +18,9 @@ pub use latex::latex;
 pub use markdown::markdown;
 pub use text::text;
 
-use super::html::{About, place};
 use super::{ReportError, svg, write_file};
+use crate::document::About;
+use crate::render::html::place;
 use crate::study::sweep::Results;
 use names::Figure;
 use std::fs;

@@ -1,6 +1,7 @@
 use super::latex::escape;
 use super::{csv, json, latex, markdown, page, text, write};
-use crate::report::html::{About, Block, render};
+use crate::document::{About, Block};
+use crate::render::html::render;
 use crate::study::sweep::fixture::results;
 use crate::study::sweep::{LevelRecord, Results, State};
 use serde_json::Value;
@@ -211,9 +212,10 @@ fn a_page_has_the_tables_and_plots_of_the_document() {
     assert!(shades > 10, "{shades}");
     let plots: Vec<_> = blocks()
         .filter_map(|block| match block {
-            Block::Plot(plot) => Some(plot),
+            Block::Figure(figure) => Some(&figure.plots),
             _ => None,
         })
+        .flatten()
         .collect();
     assert_eq!(plots.len(), lines.count());
     let names: Vec<&str> = plots[0]

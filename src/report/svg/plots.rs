@@ -4,8 +4,8 @@ use super::curve::{Curve, Mark, Model, Panel};
 use super::style::PALETTE;
 use super::{curve, of_fit, split};
 use crate::convergence::{Fit, Sample};
+use crate::document::{Axis, Plot, Point, Series, Stroke, Trace};
 use crate::report::Group;
-use crate::report::html::{self, Axis, Plot, Point, Series, Stroke, Trace};
 use crate::study::sweep::Line;
 use std::f64::consts::LOG10_2;
 
@@ -51,7 +51,7 @@ fn plot(panel: &Panel) -> Plot {
         }
     }
     if let Some(guide) = &panel.guide {
-        plot.guides.push(html::Guide {
+        plot.guides.push(crate::document::Guide {
             upright: true,
             at: guide.x.map_or(f64::NAN, |x| x * LOG10_2),
             label: guide.lines.join(", "),

@@ -1,16 +1,16 @@
 //! The report as a page.
 
 use super::words::{error, goal, model, relative, states, unreached, usual, way};
-use crate::report::html::{
-    About, Axis, Block, Cell, Column, Fact, Page, Plot, Point, Section, Series, Table,
+use crate::document::{
+    self, About, Axis, Block, Cell, Column, Document, Fact, Plot, Point, Section, Series, Table,
 };
 use crate::study::tradeoff::{CaseResults, Cost, Point as Run, Results, Unit, standings};
 use std::collections::BTreeMap;
 
 /// What [`markdown`](super::markdown()) says, with tables that sort and plots that answer.
 #[must_use]
-pub fn page(results: &Results, about: &About) -> Page {
-    let mut page = Page::new("tradeoff", "Error against cost", about.clone());
+pub fn page(results: &Results, about: &About) -> Document {
+    let mut page = Document::new("tradeoff", "Error against cost", about.clone());
     let header = &results.header;
     page.summary = vec![
         Fact::new("cases", results.cases.len().to_string()),
@@ -62,7 +62,11 @@ fn section(case: &CaseResults, cost: Cost) -> Section {
     let mut section = Section::new(&case.name, &case.name);
     let said = format!("{}; {}.", states(case), relative(case));
     section.blocks.push(Block::Text(said));
-    section.blocks.push(Block::Plot(plot(case, cost)));
+    section.blocks.push(Block::Figure(document::Figure::new(
+        "",
+        "",
+        [plot(case, cost)],
+    )));
     section.blocks.push(Block::Table(goals(case, cost)));
     if let Some(unreached) = unreached(&case.goals(cost)) {
         section.blocks.push(Block::Text(format!("{unreached}.")));

@@ -17,9 +17,10 @@ pub use latex::latex;
 pub use markdown::markdown;
 pub use text::text;
 
-use super::html::{About, place};
-use super::write::write_files;
 use super::{ReportError, svg};
+use crate::document::About;
+use crate::render::html::place;
+use crate::render::write_files;
 use crate::study::tradeoff::Results;
 use std::path::{Path, PathBuf};
 

@@ -5,16 +5,16 @@ use super::text::style;
 use super::words::{
     axis, conclusion, failure, failures, fingerprint, floor, label, order, theory, window,
 };
+use crate::document::{self, About, Block, Cell, Column, Document, Fact, Section, Table, Tone};
 use crate::method::Expected;
-use crate::report::html::{About, Block, Cell, Column, Fact, Page, Section, Table, Tone};
 use crate::report::svg::plots;
 use crate::report::tone::tone;
 use crate::study::verify::{Conclusion, Line, Measured, Verification};
 
 /// What [`markdown`](super::markdown()) says, with a table that sorts and plots that answer.
 #[must_use]
-pub fn page(verification: &Verification, about: &About) -> Page {
-    let mut page = Page::new("verify", &verification.declaration.name, about.clone());
+pub fn page(verification: &Verification, about: &About) -> Document {
+    let mut page = Document::new("verify", &verification.declaration.name, about.clone());
     page.summary = summary(verification);
     page.sections.push(findings(verification));
     page.sections.push(channels(verification));
@@ -26,7 +26,7 @@ pub fn page(verification: &Verification, about: &About) -> Page {
             }
             Measured::Scattered(_) | Measured::Nothing => None,
         })
-        .map(Block::Plot)
+        .map(|plot| Block::Figure(document::Figure::new("", "", [plot])))
         .collect();
     if !plots.is_empty() {
         let mut section = Section::new("plots", "Errors against segments");

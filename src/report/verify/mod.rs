@@ -13,9 +13,10 @@ pub use junit::junit;
 pub use markdown::markdown;
 pub use text::{closing, heading, row};
 
-use super::html::{About, place};
-use super::write::write_files;
 use super::{ReportError, svg};
+use crate::document::About;
+use crate::render::html::place;
+use crate::render::write_files;
 use crate::study::verify::{Line, Measured, Verification};
 use std::path::{Path, PathBuf};
 

@@ -1,0 +1,45 @@
+//! The pieces of a section.
+
+use super::page::{class, facts, sign};
+use super::{figure, table};
+use crate::document::{Block, Finding, Medium, Plot};
+use maud::{Markup, html};
+
+const MEDIA: [Medium; 2] = [Medium::Written, Medium::Page];
+
+pub(super) fn blocks(blocks: &[Block]) -> Markup {
+    let shown: Vec<&Block> = blocks.iter().filter_map(|b| b.shown_in(&MEDIA)).collect();
+    html! {
+        @for run in shown.chunk_by(|a, b| plots(a).is_some() && plots(b).is_some()) {
+            @match run {
+                [Block::Text(text)] => p { (text) },
+                [Block::Lines(lines)] => pre { (lines) },
+                [Block::Facts(some)] => (facts(some)),
+                [Block::Finding(found)] => (finding(found)),
+                [Block::Table(some)] => (table::table(some)),
+                figures => div.plots {
+                    @for plot in figures.iter().filter_map(|block| plots(block)).flatten() {
+                        (figure::figure(plot))
+                    }
+                },
+            }
+        }
+    }
+}
+
+fn plots(block: &Block) -> Option<&[Plot]> {
+    match block {
+        Block::Figure(figure) => Some(&figure.plots),
+        _ => None,
+    }
+}
+
+fn finding(finding: &Finding) -> Markup {
+    html! {
+        p.finding class=[class(finding.tone)] {
+            (sign(finding.tone))
+            @if !finding.label.is_empty() { strong { (finding.label) ": " } }
+            (finding.words)
+        }
+    }
+}

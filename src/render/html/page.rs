@@ -1,0 +1,132 @@
+//! The document as a page.
+
+use super::{blocks, embed, head};
+use crate::document::{Document, Fact, Tone};
+use crate::render::ReportError;
+use maud::{DOCTYPE, Markup, PreEscaped, html};
+use std::collections::HashSet;
+
+/// The page as one HTML document, which asks nothing of any network.
+///
+/// # Errors
+/// [`ReportError::Json`], which no page is known to cause.
+pub fn render(page: &Document) -> Result<String, ReportError> {
+    let ids = ids(page);
+    let document = html! {
+        (DOCTYPE)
+        html lang="en" {
+            (head::head(&page.title))
+            body {
+                (head::top(page))
+                @if page.sections.len() > 1 { (contents(page, &ids)) }
+                @if let Some(conclusion) = &page.conclusion {
+                    p.conclusion class=[class(conclusion.tone)] { (sign(conclusion.tone)) (conclusion.words) }
+                }
+                main {
+                    @for (section, id) in page.sections.iter().zip(&ids) {
+                        section id=(id) {
+                            h2 { (section.title) a.anchor href={ "#" (id) } aria-label="link to this section" { "#" } }
+                            (blocks::blocks(&section.blocks))
+                        }
+                    }
+                }
+                (about(page))
+                (PreEscaped(embed::element(page)?))
+                (head::script())
+            }
+        }
+    };
+    Ok(document.into_string() + "\n")
+}
+
+/// Safe names for sections, no two alike.
+fn ids(page: &Document) -> Vec<String> {
+    // What the page's own elements are called.
+    let mut taken: HashSet<String> = ["volver-page", "about", "theme", "tip", "said"]
+        .map(String::from)
+        .into();
+    let mut id = |wanted: &str| {
+        let safe: String = wanted
+            .chars()
+            .map(|c| {
+                if c.is_ascii_alphanumeric() {
+                    c.to_ascii_lowercase()
+                } else {
+                    '-'
+                }
+            })
+            .collect();
+        let numbered = (2_u64..).map(|k| format!("{safe}-{k}"));
+        let free = std::iter::once(safe.clone())
+            .filter(|safe| !safe.is_empty())
+            .chain(numbered)
+            .find(|id| taken.insert(id.clone()));
+        free.unwrap_or(safe)
+    };
+    page.sections
+        .iter()
+        .map(|section| id(&section.id))
+        .collect()
+}
+
+fn contents(page: &Document, ids: &[String]) -> Markup {
+    html! {
+        nav aria-label="Sections" {
+            details open[page.sections.len() <= 12] {
+                summary { (page.sections.len()) " sections" }
+                ol {
+                    @for (section, id) in page.sections.iter().zip(ids) {
+                        li { a href={ "#" (id) } { (section.title) } }
+                    }
+                }
+            }
+        }
+    }
+}
+
+fn about(page: &Document) -> Markup {
+    let about = &page.about;
+    let seeds: Vec<String> = about.seeds.iter().map(ToString::to_string).collect();
+    html! {
+        footer id="about" {
+            h2 { "How this page came to be" }
+            dl {
+                dt { "command" } dd { code { (about.command) } }
+                dt { "volver" } dd { (about.version) }
+                @if !seeds.is_empty() { dt { "seed" } dd { (seeds.join(", ")) } }
+                dt { "machine" } dd { (about.machine) }
+            }
+        }
+    }
+}
+
+/// The class of a tone.
+pub(super) fn class(tone: Option<Tone>) -> Option<&'static str> {
+    tone.map(|tone| match tone {
+        Tone::Good => "good",
+        Tone::Bad => "bad",
+        Tone::Open => "open",
+    })
+}
+
+/// A sign beside a tone's colour, which not everybody sees.
+pub(super) fn sign(tone: Option<Tone>) -> &'static str {
+    match tone {
+        Some(Tone::Good) => "✓ ",
+        Some(Tone::Bad) => "✗ ",
+        Some(Tone::Open) => "○ ",
+        None => "",
+    }
+}
+
+/// Names and what is said of them, one below the other.
+pub(super) fn facts(facts: &[Fact]) -> Markup {
+    html! {
+        dl {
+            @for fact in facts {
+                dt class=[class(fact.tone)] { (sign(fact.tone)) (fact.name) }
+                dd { (fact.value) }
+            }
+        }
+    }
+}

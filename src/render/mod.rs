@@ -1,0 +1,28 @@
+//! Back ends: each shows any [`Document`](crate::document::Document), whatever it reports.
+//!
+//! | back end | for |
+//! |---|---|
+//! | [`terminal`](terminal()) | a terminal: lines of a width, with colour where there is colour |
+//! | [`markdown`](markdown()) | GitHub Markdown, with figures as files beside it |
+//! | [`html`] | one page that opens in a browser, with tables that sort and plots that answer |
+//! | [`svg`] | the figures and maps of a document as files |
+//! | [`csv`](csv()) | the tables of a document, for programs |
+//! | [`latex`](latex()) | the tables of a document, for papers |
+
+mod csv;
+mod error;
+pub mod html;
+mod latex;
+mod markdown;
+mod preflight;
+pub mod svg;
+pub mod terminal;
+mod write;
+
+pub use csv::csv;
+pub use error::ReportError;
+pub use latex::latex;
+pub use markdown::markdown;
+pub use preflight::{check_file, prepare_directory};
+pub use terminal::terminal;
+pub use write::{write_document, write_file, write_files};

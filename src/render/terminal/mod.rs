@@ -1,0 +1,122 @@
+//! A document on a terminal.
+//!
+//! Tables are set in columns as wide as their cells. Where they do not fit, the last columns go to a second line of each row,
+//! and so on: nothing is left out but what a builder calls a detail.
+
+mod paint;
+mod table;
+mod wrap;
+
+pub use paint::Style;
+pub use table::{heading, row};
+pub use wrap::wrap;
+
+use crate::document::{Block, Document, Fact, Medium, Section, Tone};
+use paint::paint;
+
+/// Narrower than this, lines are cut by the terminal instead.
+pub const MIN_WIDTH: usize = 40;
+
+/// Names of facts in one column, but no wider than this.
+const NAME: usize = 28;
+
+const MEDIA: [Medium; 1] = [Medium::Terminal];
+
+/// The document in lines of at most `width` columns, with ANSI colour where `color` says so. The conclusion is its last line.
+#[must_use]
+pub fn terminal(document: &Document, width: usize, color: bool) -> String {
+    let mut page = Page::new(width, color);
+    for section in &document.sections {
+        page.section(section);
+    }
+    if let Some(conclusion) = &document.conclusion {
+        let style = conclusion.tone.map_or(Style::Plain, Style::of);
+        page.put(&conclusion.words, "", "", style);
+    }
+    page.text
+}
+
+/// Lines, as they are written.
+struct Page {
+    width: usize,
+    color: bool,
+    text: String,
+}
+
+impl Page {
+    fn new(width: usize, color: bool) -> Self {
+        Page {
+            width: width.max(MIN_WIDTH),
+            color,
+            text: String::new(),
+        }
+    }
+
+    fn section(&mut self, section: &Section) {
+        let shown = |block| Block::shown_in(block, &MEDIA);
+        let blocks: Vec<&Block> = section.blocks.iter().filter_map(shown).collect();
+        if blocks.iter().all(|block| matches!(block, Block::Figure(_))) {
+            return;
+        }
+        if !section.title.is_empty() && !section.is_aside {
+            self.put(&section.title, "", "  ", Style::Bold);
+        }
+        let style = if section.is_aside {
+            Style::Faint
+        } else {
+            Style::Plain
+        };
+        for block in blocks {
+            self.block(block, style);
+        }
+        self.text.push('\n');
+    }
+
+    fn block(&mut self, block: &Block, style: Style) {
+        match block {
+            Block::Text(words) => self.put(words, "", "  ", style),
+            Block::Lines(lines) => self.lines(lines),
+            Block::Facts(facts) => self.facts(facts, style),
+            Block::Finding(finding) => {
+                let first = match finding.tone {
+                    Some(Tone::Bad | Tone::Open) => "! ",
+                    Some(Tone::Good) | None => "* ",
+                };
+                let style = finding.tone.map_or(style, Style::of);
+                self.put(&finding.sentence(), first, "  ", style);
+            }
+            Block::Table(table) => self.text += &table::table(table, self.width, self.color),
+            // A terminal draws nothing, and what is for others was sorted out before.
+            Block::Figure(_) | Block::For(..) => {}
+        }
+    }
+
+    fn facts(&mut self, facts: &[Fact], style: Style) {
+        let names = facts.iter().map(|fact| fact.name.chars().count());
+        let widest = names.filter(|name| *name <= NAME).max().unwrap_or(0);
+        let later = " ".repeat(widest + 2);
+        for fact in facts {
+            let style = fact.tone.map_or(style, Style::of);
+            let first = format!("{:<widest$}  ", fact.name);
+            self.put(&fact.value, &first, &later, style);
+        }
+    }
+
+    /// Lines as they are: formulas may stand in columns.
+    fn lines(&mut self, lines: &str) {
+        for line in lines.trim_end().lines() {
+            // What a file says is shown, and does not steer the terminal.
+            let shown = |c: char| if c.is_control() { ' ' } else { c };
+            let line: String = line.chars().map(shown).collect();
+            self.text += format!("  {line}").trim_end();
+            self.text.push('\n');
+        }
+    }
+
+    fn put(&mut self, words: &str, first: &str, later: &str, style: Style) {
+        for line in wrap(words, self.width, first, later) {
+            self.text += &paint(line.trim_end(), style, self.color);
+            self.text.push('\n');
+        }
+    }
+}

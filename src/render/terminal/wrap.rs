@@ -1,0 +1,24 @@
+//! Words in lines.
+
+/// Words in lines of at most `width`, which begin with `first` and then with `later`; a word that is
+/// longer has a line of its own.
+#[must_use]
+pub fn wrap(text: &str, width: usize, first: &str, later: &str) -> Vec<String> {
+    let mut lines = Vec::new();
+    let mut line = first.to_string();
+    let mut empty = true;
+    for word in text.split_whitespace() {
+        let length = line.chars().count() + usize::from(!empty) + word.chars().count();
+        if !empty && length > width {
+            lines.push(std::mem::replace(&mut line, later.to_string()));
+            empty = true;
+        }
+        if !empty {
+            line.push(' ');
+        }
+        line.push_str(word);
+        empty = false;
+    }
+    lines.push(line);
+    lines
+}
