@@ -1,7 +1,6 @@
 //! Format names: round trip, and what is said of text that names none.
 
-use super::{FormatError, FormatName, WithFormat};
-use crate::real::{Fixed, Format, Ieee};
+use volver::real::{Fixed, Format, FormatError, FormatName, Ieee, WithFormat};
 
 fn names() -> [(&'static str, FormatName, u32); 15] {
     let ieee = |bits, emin, emax| FormatName::Ieee(Ieee::new(bits, emin, emax).unwrap());

@@ -4,8 +4,6 @@
 //! The judge is exact: a result's neighbours are taken from its bit pattern, and the midpoints
 //! between them are compared with the true value in rational arithmetic. Nothing is rounded there.
 
-#![allow(clippy::unwrap_used)]
-
 use half::{bf16, f16};
 use quickcheck::QuickCheck;
 use rug::{Float, Rational};

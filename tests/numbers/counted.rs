@@ -1,5 +1,4 @@
 //! Counting changes no bit, and counts what the methods do: derived by hand here, from their formulas.
-#![allow(missing_docs, clippy::unwrap_used)]
 
 use half::f16;
 use quickcheck::QuickCheck;
@@ -210,7 +209,7 @@ fn usual_methods_cost_what_they_did() {
         lines.push(format!("{name}: {}", counts.join(", ")));
     }
     let mut settings = insta::Settings::clone_current();
-    settings.set_snapshot_path("../snapshots");
+    settings.set_snapshot_path("../../snapshots");
     settings.set_prepend_module_to_snapshot(false);
     settings.set_omit_expression(true);
     settings.bind(|| insta::assert_snapshot!("counts_of_methods", lines.join("\n")));

@@ -5,7 +5,7 @@ use quickcheck::QuickCheck;
 use rand_core::{Rng, SeedableRng};
 use rand_pcg::Pcg64;
 use rug::{Float, Integer, Rational};
-use volver::real::{Fixed, FixedReal, Format, Real};
+use volver::real::{Fixed, FixedReal, Format, FormatError, Real};
 
 const PLACES: [(u32, u32); 7] = [
     (16, 15),
@@ -236,4 +236,47 @@ fn laws() {
     }
     let mut quickcheck = QuickCheck::new().tests(5000).max_tests(5000);
     quickcheck.quickcheck(check as fn(i32, i32, i32, u8) -> bool);
+}
+
+/// Worked by hand, by division and as a rational.
+#[test]
+fn quotients_round_to_nearest_and_ties_to_even() {
+    let format = Fixed::new(8, 4).unwrap();
+    let nearest = |numerator: i64, denominator: i64| {
+        let quotient = quanta(format, numerator) / &format.int(denominator);
+        let exact = Rational::from((numerator, denominator)) >> format.fraction_bits();
+        assert_eq!(format.ratio(&exact), quotient);
+        quotient.quanta().unwrap()
+    };
+    // −2.5, −1.5, −0.5, 0.5, 1.5, 2.5 and beside them.
+    let halves = [(-5, -2), (-3, -2), (-1, 0), (1, 0), (3, 2), (5, 2)];
+    for (numerator, expected) in halves {
+        assert_eq!(nearest(numerator, 2), expected, "{numerator}/2");
+    }
+    for (numerator, expected) in [(-8, -3), (-7, -2), (-4, -1), (4, 1), (7, 2), (8, 3), (9, 3)] {
+        assert_eq!(nearest(numerator, 3), expected, "{numerator}/3");
+    }
+}
+
+#[test]
+fn what_is_out_of_range_is_refused_with_what_is_allowed() {
+    for (integer, fraction) in [(17, 15), (16, 0), (16, 31), (u32::MAX, u32::MAX)] {
+        let error = Fixed::new(integer, fraction).unwrap_err();
+        assert_eq!(error, FormatError::FixedRange { integer, fraction });
+        assert_eq!(
+            error.to_string(),
+            format!(
+                "format 'fixed:{integer}.{fraction}' is out of range (allowed: fixed:INTEGER.FRACTION with 0 ≤ INTEGER ≤ 16, 1 ≤ FRACTION ≤ 30)"
+            )
+        );
+    }
+}
+
+#[test]
+fn the_bits_are_those_after_the_point() {
+    let format = Fixed::new(8, 24).unwrap();
+    assert_eq!(
+        (format.bits(), format.integer_bits(), format.fraction_bits()),
+        (24, 8, 24)
+    );
 }

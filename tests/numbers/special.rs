@@ -1,10 +1,10 @@
 //! Against MPFR with more bits, where the quotient's roundings do not show.
 
-use super::relative_opacity;
-use crate::real::{Format, Mpfr, Native, NativeFloat, Real};
 use half::{bf16, f16};
 use quickcheck::QuickCheck;
 use rug::{Float, Rational};
+use volver::real::special::relative_opacity;
+use volver::real::{Format, Mpfr, Native, NativeFloat, Real};
 
 /// (1 − e^(−x))/x with `bits` bits: by its series Σ (−x)ᵏ/(k+1)! below 1, by subtraction above.
 fn oracle(x: &Rational, bits: u32) -> Float {

@@ -2,9 +2,8 @@
 //! format, what tables of all codes say of 8-bit formats, what exact rational arithmetic says of fixed
 //! point, and correctly rounded elementary functions.
 
-#![allow(clippy::unwrap_used, clippy::panic, clippy::float_cmp)]
-
 mod elementary;
+mod ends;
 mod fixed;
 mod hardware;
 mod methods;

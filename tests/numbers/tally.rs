@@ -1,11 +1,11 @@
 //! Scopes, and what is counted of what.
 
-use super::{Counted, Counts, Kind, count, uncounted};
-use crate::real::special::relative_opacity;
-use crate::real::{Format, Mpfr, Native, Real};
 use std::panic::{AssertUnwindSafe, catch_unwind};
+use volver::real::counted::{Counted, CountedReal, Counts, Kind, count, uncounted};
+use volver::real::special::relative_opacity;
+use volver::real::{Format, Mpfr, Native, Real};
 
-fn one() -> super::CountedReal<f64> {
+fn one() -> CountedReal<f64> {
     Counted(Native::<f64>::new()).int(1)
 }
 
@@ -89,7 +89,7 @@ fn everything<F: Format>(format: F) -> Counts {
     ];
     let ((), counts) = count(|| {
         for function in functions {
-            let function: fn(super::CountedReal<F::Real>) -> super::CountedReal<F::Real> = function;
+            let function: fn(CountedReal<F::Real>) -> CountedReal<F::Real> = function;
             let value = function(x());
             assert_eq!(value.format(), format);
         }

@@ -1,8 +1,6 @@
 //! Orders fitted to the total error of runs in formats of few bits: floor-limited, or what MPFR shows too, and
 //! never wrongly confirmed.
 
-#![allow(clippy::unwrap_used, clippy::expect_used, clippy::panic)]
-
 use volver::case::manufacture::manufacture;
 use volver::case::{SymbolicCase, catalogue};
 use volver::convergence::Verdict;

@@ -1,11 +1,11 @@
 //! Elementary functions, exact values and logarithms, in native formats and in MPFR.
 
-use super::{Format, Mpfr, MpfrReal, Native, NativeFloat, Real};
 use half::{bf16, f16};
 use quickcheck::QuickCheck;
 use rug::float::Special;
 use rug::ops::Pow;
 use rug::{Float, Rational};
+use volver::real::{Format, Mpfr, MpfrReal, Native, NativeFloat, Real};
 
 /// One elementary function in any scalar, so that a native format and MPFR run the same.
 #[derive(Clone, Copy, Debug)]

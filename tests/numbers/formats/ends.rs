@@ -1,9 +1,10 @@
 //! What defines an emulated format: its ends, ties, gradual underflow, and what is refused.
 
-use super::{Ieee, MAX_EXPONENT, MAX_IEEE_BITS, Overflow};
-use crate::real::{Format, FormatError, Native, NativeFloat, Real};
 use half::{bf16, f16};
 use rug::{Float, Rational};
+use volver::real::{
+    Format, FormatError, Ieee, MAX_EXPONENT, MAX_IEEE_BITS, Native, NativeFloat, Overflow, Real,
+};
 
 fn power(exponent: i32) -> Rational {
     Rational::from(1) << exponent
