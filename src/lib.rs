@@ -54,6 +54,8 @@ pub mod case;
 pub mod convergence;
 pub mod diagnosis;
 pub mod document;
+#[doc(hidden)]
+pub mod inside;
 pub mod kernel;
 pub mod method;
 pub mod proof;

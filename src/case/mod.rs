@@ -5,14 +5,12 @@ mod counted;
 pub mod file;
 mod homogeneous_slab;
 pub mod manufacture;
-mod nodes;
+pub(crate) mod nodes;
 pub mod random;
 mod reciprocal;
 mod sine_squared;
 mod structure;
 mod symbolic;
-#[cfg(test)]
-mod tests;
 
 pub use counted::CountedCase;
 pub use file::{ChannelDescription, Description, FileError, FileProblem, Recipe};

@@ -1,12 +1,10 @@
 //! Values of a case at the places where methods look: evaluated afresh, or once for all who ask.
 
 mod fresh;
-mod grid;
+pub(crate) mod grid;
 mod recorded;
 mod replayed;
 mod shared;
-#[cfg(test)]
-mod tests;
 
 pub use fresh::Fresh;
 pub use recorded::{Recorded, Recording};

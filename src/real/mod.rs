@@ -13,8 +13,6 @@ mod mpfr;
 mod name;
 mod native;
 pub mod special;
-#[cfg(test)]
-mod tests;
 
 pub use counted::{Counted, CountedReal, Counts};
 pub use fixed::{Fixed, FixedReal, MAX_FRACTION, MAX_INTEGER};

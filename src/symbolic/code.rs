@@ -14,8 +14,6 @@ mod names;
 mod number;
 mod python;
 mod rust;
-#[cfg(test)]
-mod tests;
 
 use super::Program;
 use layout::Layout;

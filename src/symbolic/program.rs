@@ -4,8 +4,6 @@ mod compile;
 mod instruction;
 mod kept;
 mod run;
-#[cfg(test)]
-mod tests;
 
 pub use compile::CompileError;
 pub use instruction::{Instruction, Operand, Operation};
