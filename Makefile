@@ -36,7 +36,7 @@ page: setup
 	tests/page/check
 
 bench: setup
-	cargo bench --locked
+	cargo bench --locked -p volver-benches
 
 # GMP's build needs m4, which fresh machines lack.
 SUDO := $(shell [ "$$(id -u)" -eq 0 ] || echo sudo)

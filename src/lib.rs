@@ -64,6 +64,7 @@ pub mod real;
 pub mod reference;
 pub mod render;
 pub mod report;
+#[cfg(feature = "studies")]
 pub mod scene;
 pub mod study;
 pub mod symbolic;

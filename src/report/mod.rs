@@ -15,19 +15,29 @@
 //! | [`plan`] | the least model of a scene |
 //! | [`comparison`] | several reports on one page, what differs first |
 
+#[cfg(feature = "studies")]
 pub mod comparison;
 #[cfg(test)]
 mod fixture;
+#[cfg(feature = "studies")]
 pub mod nonsmooth;
+#[cfg(feature = "studies")]
 pub mod plan;
+#[cfg(feature = "studies")]
 pub mod reproduce;
+#[cfg(feature = "studies")]
 pub mod stress;
+#[cfg(feature = "studies")]
 pub mod study;
+#[cfg(feature = "studies")]
 pub mod svg;
 pub mod text;
 mod tone;
+#[cfg(feature = "studies")]
 pub mod tradeoff;
 pub mod verify;
 
+#[cfg(feature = "studies")]
 pub use crate::render::{ReportError, check_file, prepare_directory, write_file};
+#[cfg(feature = "studies")]
 pub use reproduce::{Group, Row, groups};
