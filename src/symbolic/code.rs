@@ -16,6 +16,7 @@ mod python;
 mod rust;
 #[cfg(test)]
 mod tests;
+mod text;
 
 use super::Program;
 use layout::Layout;
