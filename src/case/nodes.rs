@@ -1,5 +1,6 @@
 //! Values of a case at the places where methods look: evaluated afresh, or once for all who ask.
 
+mod any;
 mod fresh;
 mod grid;
 mod recorded;
@@ -8,6 +9,7 @@ mod shared;
 #[cfg(test)]
 mod tests;
 
+pub use any::AnyNodes;
 pub use fresh::Fresh;
 pub use recorded::{Recorded, Recording};
 pub use replayed::Replayed;

@@ -30,17 +30,18 @@ impl Outer {
         f64::from(self.0.order())
     }
 
-    /// The radiance: ∑ W C τ T.
+    /// The radiance: ∑ W C τ T; `nodes` are those that the attenuation was computed from.
     ///
     /// # Errors
     /// [`MethodError::Segments`] where n is no multiple of [`Outer::segments_multiple`].
     pub fn radiance<N: Nodes>(
         self,
-        attenuation: &Attenuation<'_, N>,
+        nodes: &N,
+        attenuation: &Attenuation<Number<N>>,
     ) -> Result<Number<N>, MethodError> {
-        let (nodes, n) = (attenuation.nodes(), attenuation.segments());
+        let n = attenuation.segments();
         require_multiple(&self.0, n, self.segments_multiple())?;
-        self.radiance_under(nodes, n, &self.transmittances(attenuation)?)
+        self.radiance_under(nodes, n, &self.transmittances(nodes, attenuation)?)
     }
 
     /// T wherever the rule looks.
@@ -49,15 +50,16 @@ impl Outer {
     /// As [`Attenuation::inside`].
     pub fn transmittances<'t, N: Nodes>(
         self,
-        attenuation: &'t Attenuation<'_, N>,
+        nodes: &N,
+        attenuation: &'t Attenuation<Number<N>>,
     ) -> Result<Transmittances<'t, Number<N>>, MethodError> {
         if self.0.intervals().is_some() {
             return Ok(vec![Cow::Borrowed(attenuation.at_boundaries())]);
         }
-        let table = self.0.table(attenuation.nodes().format().bits())?;
+        let table = self.0.table(nodes.format().bits())?;
         let offsets = table.nodes.iter();
         offsets
-            .map(|offset| attenuation.inside(offset).map(Cow::Owned))
+            .map(|offset| attenuation.inside(nodes, offset).map(Cow::Owned))
             .collect()
     }
 

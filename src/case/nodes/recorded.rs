@@ -1,7 +1,7 @@
 //! What a run really used, kept to be used again.
 
 use super::replayed::{Exactly, Key, Replayed};
-use super::{Column, Nodes, Number};
+use super::{AnyNodes, Column, Nodes};
 use crate::case::{Case, PolynomialTransfer, Transfer};
 use crate::real::{Format, Real};
 use rug::{Float, Rational};
@@ -13,9 +13,9 @@ use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
 /// Values at places of a grid are looked up again; values at places or at field values that a method made up
 /// come back in the order in which they were asked for.
 #[derive(Debug)]
-pub struct Recorded<'a, N: Nodes> {
-    nodes: &'a N,
-    log: Mutex<Log<Number<N>>>,
+pub struct Recorded<'a, F: Format> {
+    nodes: AnyNodes<'a, F>,
+    log: Mutex<Log<F::Real>>,
 }
 
 /// What was asked for.
@@ -49,9 +49,10 @@ impl<'a> Recording<'a> {
     }
 }
 
-impl<'a, N: Nodes> Recorded<'a, N> {
+impl<'a, F: Format> Recorded<'a, F> {
     /// Nothing recorded yet.
-    pub fn new(nodes: &'a N) -> Self {
+    #[must_use]
+    pub fn new(nodes: AnyNodes<'a, F>) -> Self {
         Recorded {
             nodes,
             log: Mutex::new(Log {
@@ -99,7 +100,7 @@ impl<'a, N: Nodes> Recorded<'a, N> {
             && transfers.all(|((a, _), b)| case.transfer_branches(a) == case.transfer_branches(b))
     }
 
-    fn log(&self) -> MutexGuard<'_, Log<Number<N>>> {
+    fn log(&self) -> MutexGuard<'_, Log<F::Real>> {
         // Records go in whole, so a poisoned log is still sound.
         self.log.lock().unwrap_or_else(PoisonError::into_inner)
     }
@@ -107,9 +108,9 @@ impl<'a, N: Nodes> Recorded<'a, N> {
 
 /// Nodes of a format as numbers of MPFR: apart from it, no code of a replay depends on the format.
 #[derive(Debug)]
-struct Numbers<'a, N>(&'a N);
+struct Numbers<'a, F: Format>(AnyNodes<'a, F>);
 
-impl<N: Nodes> Exactly for Numbers<'_, N> {
+impl<F: Format> Exactly for Numbers<'_, F> {
     fn bits(&self) -> u32 {
         self.0.format().bits()
     }
@@ -123,7 +124,7 @@ impl<N: Nodes> Exactly for Numbers<'_, N> {
             None => self.0.boundaries(n),
             Some(offset) => self.0.interior(n, offset),
         };
-        let floats = |values: &[Number<N>]| values.iter().map(Real::to_float).collect();
+        let floats = |values: &[F::Real]| values.iter().map(Real::to_float).collect();
         Column {
             field: floats(&column.field),
             emission: floats(&column.emission),
@@ -140,10 +141,10 @@ impl<N: Nodes> Exactly for Numbers<'_, N> {
     }
 }
 
-impl<N: Nodes> Nodes for Recorded<'_, N> {
-    type Format = N::Format;
+impl<F: Format> Nodes for Recorded<'_, F> {
+    type Format = F;
 
-    fn format(&self) -> N::Format {
+    fn format(&self) -> F {
         self.nodes.format()
     }
 
@@ -151,33 +152,33 @@ impl<N: Nodes> Nodes for Recorded<'_, N> {
         self.nodes.length()
     }
 
-    fn boundaries(&self, n: u64) -> Arc<Column<Number<N>>> {
+    fn boundaries(&self, n: u64) -> Arc<Column<F::Real>> {
         self.log().columns.insert((n, None));
         self.nodes.boundaries(n)
     }
 
-    fn march(&self, n: u64) -> impl Iterator<Item = Transfer<Number<N>>> {
+    fn march(&self, n: u64) -> impl Iterator<Item = Transfer<F::Real>> {
         self.log().columns.insert((n, None));
         self.nodes.march(n)
     }
 
-    fn interior(&self, n: u64, offset: &Rational) -> Arc<Column<Number<N>>> {
+    fn interior(&self, n: u64, offset: &Rational) -> Arc<Column<F::Real>> {
         self.log().columns.insert((n, Some(offset.clone())));
         self.nodes.interior(n, offset)
     }
 
-    fn beyond(&self, n: u64) -> Number<N> {
+    fn beyond(&self, n: u64) -> F::Real {
         self.nodes.beyond(n)
     }
 
-    fn extinction_at(&self, lambda: &Number<N>) -> Number<N> {
+    fn extinction_at(&self, lambda: &F::Real) -> F::Real {
         let extinction = self.nodes.extinction_at(lambda);
         let record = (lambda.clone(), extinction.clone());
         self.log().extinctions.push(record);
         extinction
     }
 
-    fn transfer(&self, s: &Number<N>) -> Transfer<Number<N>> {
+    fn transfer(&self, s: &F::Real) -> Transfer<F::Real> {
         let transfer = self.nodes.transfer(s);
         self.log().transfers.push((s.clone(), transfer.clone()));
         transfer
