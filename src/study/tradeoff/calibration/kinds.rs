@@ -2,7 +2,7 @@
 
 use super::{Piece, measured};
 use crate::real::counted::{Counted, Kind, count};
-use crate::real::{Format, Real};
+use crate::real::{Format, Mpfr, Real};
 use rug::Rational;
 use std::hint::black_box;
 
@@ -36,7 +36,10 @@ pub(super) fn costs<F: Format>(format: F) -> Vec<f64> {
 }
 
 fn piece<F: Format>(format: F, kind: Kind) -> Piece {
-    let counted = numbers(Counted(format));
+    // What is counted is the same in every format.
+    let counted = numbers(Counted(Mpfr {
+        bits: format.bits(),
+    }));
     let ((), counts) = count(|| exercise(kind, &counted));
     let numbers = numbers(format);
     Piece {
