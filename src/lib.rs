@@ -55,6 +55,7 @@ pub mod convergence;
 pub mod diagnosis;
 pub mod kernel;
 pub mod method;
+mod parallel;
 pub mod proof;
 pub mod quadrature;
 pub mod real;

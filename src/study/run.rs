@@ -3,9 +3,9 @@
 use crate::case::{AnyNodes, Case, Shared};
 use crate::convergence::Sample;
 use crate::method::{Integration, Level, Method, MethodError};
+use crate::parallel;
 use crate::real::{Format, Real};
 use crate::reference::{self, ReferenceError};
-use rayon::prelude::*;
 use rug::{Float, Rational};
 
 /// Hears of work done, from any thread.
@@ -65,12 +65,8 @@ fn on_all_levels(
     at: &(dyn Fn(u64) -> Result<Vec<Float>, MethodError> + Sync),
 ) -> Result<Vec<Vec<Float>>, MethodError> {
     // Finest levels first: the largest piece of work is not left for last.
-    let mut levels: Vec<Vec<Float>> = ladder
-        .par_iter()
-        .rev()
-        .with_max_len(1)
-        .map(|&n| at(n))
-        .collect::<Result<_, _>>()?;
+    let finest_first: Vec<u64> = ladder.iter().rev().copied().collect();
+    let mut levels = parallel::try_map(&finest_first, |&n| at(n))?;
     levels.reverse();
     Ok((0..methods)
         .map(|m| levels.iter().map(|level| level[m].clone()).collect())

@@ -7,10 +7,10 @@ use super::{Estimate, Sweep, between};
 use crate::case::{Shared, SymbolicCase};
 use crate::convergence::{Cell, Oracle};
 use crate::method::{MethodError, expected_on};
+use crate::parallel;
 use crate::real::{Format, FormatName, WithFormat};
 use crate::reference::ReferenceError;
 use crate::study::Progress;
-use rayon::prelude::*;
 use rug::Float;
 use rug::float::Special;
 use std::collections::VecDeque;
@@ -186,7 +186,7 @@ impl OneUnit<'_, '_> {
         };
         let all = |levels: &[u64]| -> Vec<Vec<LevelRecord>> {
             if self.levels_in_parallel {
-                levels.par_iter().map(at).collect()
+                parallel::map(levels, at)
             } else {
                 levels.iter().map(at).collect()
             }

@@ -5,13 +5,13 @@ use super::measure::{nanoseconds, runs_a_measurement};
 use super::{Calibration, JournalError, Outcome, Point, Timing, Unit};
 use crate::case::{CountedCase, Fresh, SymbolicCase};
 use crate::method::{Method, MethodError};
+use crate::parallel;
 use crate::real::counted::{Counted, count};
 use crate::real::{Counts, Format, FormatName, Mpfr, WithFormat};
 use crate::reference::{self, Reference, ReferenceError};
 use crate::study::Progress;
 use crate::study::run::exact;
 use crate::study::sweep::Sweep;
-use rayon::prelude::*;
 use rug::Float;
 use std::hint::black_box;
 
@@ -202,28 +202,25 @@ impl OneUnit<'_> {
             .flat_map(|(method, usual)| self.levels.iter().map(|n| (*method, *usual, *n)))
             .collect();
         let counted = CountedCase(self.case);
-        runs.into_par_iter()
-            .with_max_len(1)
-            .map(|(method, only_usual, n)| {
-                let (outcome, counts) = match radiance(method, n) {
-                    Ok(radiance) => (self.outcome(&radiance), counts(&counted, bits, &method, n)),
-                    Err(error) => {
-                        let reason = error.to_string();
-                        (Outcome::Refused { reason }, Counts::default())
-                    }
-                };
-                self.progress.advance(n);
-                Point {
-                    method,
-                    n,
-                    outcome,
-                    counts,
-                    modelled: None,
-                    measured: None,
-                    only_usual,
+        parallel::map(&runs, |&(method, only_usual, n)| {
+            let (outcome, counts) = match radiance(method, n) {
+                Ok(radiance) => (self.outcome(&radiance), counts(&counted, bits, &method, n)),
+                Err(error) => {
+                    let reason = error.to_string();
+                    (Outcome::Refused { reason }, Counts::default())
                 }
-            })
-            .collect()
+            };
+            self.progress.advance(n);
+            Point {
+                method,
+                n,
+                outcome,
+                counts,
+                modelled: None,
+                measured: None,
+                only_usual,
+            }
+        })
     }
 
     /// The error of a radiance, exactly subtracted and rounded once.
