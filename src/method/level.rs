@@ -1,14 +1,15 @@
 //! All methods at one level: what they have in common is computed once.
 
+mod kept;
+
 use super::{
     Attenuation, Color, Exponential, Inner, Method, MethodError, Nested, Opacity, Preintegrated,
     Scope, Stop, Transmittances, composite,
 };
 use crate::case::{AnyNodes, Nodes};
 use crate::real::Format;
+use kept::Kept;
 use std::borrow::Cow;
-use std::collections::HashMap;
-use std::collections::hash_map::Entry;
 
 /// One ray of n segments, under any number of methods.
 ///
@@ -17,9 +18,9 @@ use std::collections::hash_map::Entry;
 pub struct Level<'a, F: Format> {
     nodes: AnyNodes<'a, F>,
     n: u64,
-    attenuations: HashMap<(Inner, Exponential, Scope), Attenuation<F::Real>>,
-    colors: HashMap<Color, Vec<F::Real>>,
-    opacities: HashMap<Opacity, Vec<F::Real>>,
+    attenuations: Kept<(Inner, Exponential, Scope), Attenuation<F::Real>>,
+    colors: Kept<Color, Vec<F::Real>>,
+    opacities: Kept<Opacity, Vec<F::Real>>,
 }
 
 impl<'a, F: Format> Level<'a, F> {
@@ -34,9 +35,9 @@ impl<'a, F: Format> Level<'a, F> {
         Level {
             nodes,
             n,
-            attenuations: HashMap::new(),
-            colors: HashMap::new(),
-            opacities: HashMap::new(),
+            attenuations: Kept::new(),
+            colors: Kept::new(),
+            opacities: Kept::new(),
         }
     }
 
@@ -143,42 +144,35 @@ impl<'a, F: Format> Level<'a, F> {
             scope,
             ..
         } = *method;
+        let (nodes, n) = (self.nodes, self.n);
         let key = (inner, exponential, scope);
-        let mut kept = self.attenuations.iter();
-        let same_depth = if self.attenuations.contains_key(&key) {
-            None
-        } else {
-            kept.find(|((other, ..), _)| *other == inner)
-                .map(|(_, attenuation)| attenuation.with_exponential(exponential, scope))
-        };
-        Ok(match self.attenuations.entry(key) {
-            Entry::Occupied(kept) => kept.into_mut(),
-            Entry::Vacant(place) => place.insert(match same_depth {
-                Some(attenuation) => attenuation,
-                None => Attenuation::new(inner, exponential, scope, &self.nodes, self.n)?,
-            }),
+        self.attenuations.get_or_compute(key, |kept| {
+            let same_depth = kept.find(|(other, ..)| *other == inner);
+            match same_depth {
+                Some(other) => Ok(other.with_exponential(exponential, scope)),
+                None => Attenuation::new(inner, exponential, scope, &nodes, n),
+            }
         })
     }
 
     fn color(&mut self, color: Color) -> Result<&[F::Real], MethodError> {
-        Ok(match self.colors.entry(color) {
-            Entry::Occupied(kept) => kept.into_mut(),
-            Entry::Vacant(place) => place.insert(color.segments(&self.nodes, self.n)?),
-        })
+        let (nodes, n) = (self.nodes, self.n);
+        let compute = |_: &_| color.segments(&nodes, n);
+        Ok(self.colors.get_or_compute(color, compute)?)
     }
 
     fn opacity(&mut self, opacity: Opacity) -> Result<&[F::Real], MethodError> {
-        Ok(match self.opacities.entry(opacity) {
-            Entry::Occupied(kept) => kept.into_mut(),
-            Entry::Vacant(place) => place.insert(opacity.segments(&self.nodes, self.n)?),
-        })
+        let (nodes, n) = (self.nodes, self.n);
+        let compute = |_: &_| opacity.segments(&nodes, n);
+        Ok(self.opacities.get_or_compute(opacity, compute)?)
     }
 
     fn preintegrated(&mut self, method: &Preintegrated) -> Result<F::Real, MethodError> {
         self.color(method.color)?;
         self.opacity(method.opacity)?;
-        let (colors, opacities) = (&self.colors, &self.opacities);
-        match (colors.get(&method.color), opacities.get(&method.opacity)) {
+        let colors = self.colors.find(|color| *color == method.color);
+        let segments = self.opacities.find(|opacity| *opacity == method.opacity);
+        match (colors, segments) {
             (Some(colors), Some(segments)) => Ok(composite(self.nodes.format(), colors, segments)),
             _ => method.radiance(&self.nodes, self.n),
         }

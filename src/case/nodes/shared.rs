@@ -54,9 +54,13 @@ impl<'c, C: Case, F: Format> Shared<'c, C, F> {
             return Arc::clone(column);
         }
         let grid = self.fresh.grid(n, offset.unwrap_or(&Rational::new()));
+        let evaluate = |place| {
+            self.fresh.count(1);
+            self.fresh.at_fraction(place)
+        };
         let column = match (grid, offset) {
-            (Some(grid), None) => self.gather(&mut cache, &grid, n + 1),
-            (Some(grid), Some(_)) => self.gather(&mut cache, &grid, n),
+            (Some(grid), None) => cache.gather(&grid, n + 1, &evaluate),
+            (Some(grid), Some(_)) => cache.gather(&grid, n, &evaluate),
             // Places that are no fractions of machine integers belong to their level alone.
             (None, None) => self.fresh.boundaries(n),
             (None, Some(offset)) => self.fresh.interior(n, offset),
@@ -64,18 +68,24 @@ impl<'c, C: Case, F: Format> Shared<'c, C, F> {
         cache.columns.insert(key, Arc::clone(&column));
         column
     }
+}
 
-    fn gather(&self, cache: &mut Cache<F::Real>, grid: &Grid, count: u64) -> Arc<Column<F::Real>> {
+impl<R: Clone> Cache<R> {
+    /// The places of a grid; `evaluate` is asked for those that are not kept yet.
+    fn gather(
+        &mut self,
+        grid: &Grid,
+        count: u64,
+        evaluate: &dyn Fn((u64, u64)) -> (R, Transfer<R>),
+    ) -> Arc<Column<R>> {
         let places = indices(count);
         let mut column = Column::with_capacity(places.len());
         for j in places {
             let (numerator, denominator) = grid.place(j);
             let common = gcd(numerator, denominator);
             let key = (numerator / common, denominator / common);
-            let (field, transfer) = cache.values.entry(key).or_insert_with(|| {
-                self.fresh.count(1);
-                self.fresh.at_fraction(key)
-            });
+            let kept = self.values.entry(key);
+            let (field, transfer) = kept.or_insert_with(|| evaluate(key));
             column.push(field.clone(), transfer.clone());
         }
         Arc::new(column)
