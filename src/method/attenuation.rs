@@ -2,7 +2,7 @@
 
 use super::{Exponential, Inner, MethodError, OpticalDepth, Scope};
 use crate::case::Nodes;
-use crate::real::{Format, Real};
+use crate::real::{Format, Real, row};
 use rug::Rational;
 
 /// The transmittance along a ray of n segments: what outer rules of one inner rule share.
@@ -43,11 +43,10 @@ impl<R: Real> Attenuation<R> {
         depth: OpticalDepth<R>,
     ) -> Self {
         let boundaries = match scope {
-            Scope::Whole => depth
-                .boundaries
-                .iter()
-                .map(|t| exponential.of_negative(t))
-                .collect(),
+            Scope::Whole => {
+                let depths = depth.boundaries.iter();
+                row(depths.map(|t| exponential.of_negative(t)))
+            }
             Scope::PerSegment => {
                 let mut transmittance = format.int(1);
                 let mut boundaries = Vec::with_capacity(depth.boundaries.len());
@@ -102,16 +101,14 @@ impl<R: Real> Attenuation<R> {
             .inner
             .partial_depths(nodes, self.n, offset, &self.depth)?;
         Ok(match self.scope {
-            Scope::Whole => partial
+            Scope::Whole => row(partial
                 .into_iter()
                 .zip(&self.depth.boundaries)
-                .map(|(part, front)| self.exponential.of_negative(&(part + front)))
-                .collect(),
-            Scope::PerSegment => partial
+                .map(|(part, front)| self.exponential.of_negative(&(part + front)))),
+            Scope::PerSegment => row(partial
                 .iter()
                 .zip(&self.boundaries)
-                .map(|(part, front)| self.exponential.of_negative(part) * front)
-                .collect(),
+                .map(|(part, front)| self.exponential.of_negative(part) * front)),
         })
     }
 }

@@ -4,7 +4,7 @@ use super::Attenuation;
 use super::error::{MethodError, require_multiple};
 use crate::case::{Column, Nodes, Number};
 use crate::quadrature::Rule;
-use crate::real::{Format, Real};
+use crate::real::{Format, Real, row, try_row};
 use rug::Rational;
 use std::borrow::Cow;
 use std::fmt;
@@ -58,9 +58,7 @@ impl Outer {
         }
         let table = self.0.table(nodes.format().bits())?;
         let offsets = table.nodes.iter();
-        offsets
-            .map(|offset| attenuation.inside(nodes, offset).map(Cow::Owned))
-            .collect()
+        try_row(offsets.map(|offset| attenuation.inside(nodes, offset).map(Cow::Owned)))
     }
 
     /// The radiance with transmittances from elsewhere, those of another format for instance.
@@ -179,7 +177,7 @@ impl<R: Real> CompositeWeights<R> {
         Ok(CompositeWeights {
             first: format.ratio(front),
             last: format.ratio(back),
-            repeating: std::iter::once(shared).chain(inner).collect(),
+            repeating: row(std::iter::once(shared).chain(inner)),
         })
     }
 }

@@ -3,7 +3,7 @@
 use super::replayed::{Exactly, Key, Replayed};
 use super::{AnyNodes, Column, Nodes};
 use crate::case::{Case, PolynomialTransfer, Transfer};
-use crate::real::{Format, Real};
+use crate::real::{Format, Real, row};
 use rug::{Float, Rational};
 use std::collections::BTreeSet;
 use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
@@ -124,7 +124,7 @@ impl<F: Format> Exactly for Numbers<'_, F> {
             None => self.0.boundaries(n),
             Some(offset) => self.0.interior(n, offset),
         };
-        let floats = |values: &[F::Real]| values.iter().map(Real::to_float).collect();
+        let floats = |values: &[F::Real]| row(values.iter().map(Real::to_float));
         Column {
             field: floats(&column.field),
             emission: floats(&column.emission),

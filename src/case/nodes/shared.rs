@@ -1,7 +1,7 @@
 //! Every node evaluated once and kept.
 
-use super::grid::{Grid, indices};
-use super::{Column, Fresh, Nodes};
+use super::grid::Grid;
+use super::{Column, Fresh, Nodes, transfers};
 use crate::case::{Case, PolynomialTransfer, Transfer};
 use crate::real::Format;
 use rug::Rational;
@@ -78,9 +78,8 @@ impl<R: Clone> Cache<R> {
         count: u64,
         evaluate: &dyn Fn((u64, u64)) -> (R, Transfer<R>),
     ) -> Arc<Column<R>> {
-        let places = indices(count);
-        let mut column = Column::with_capacity(places.len());
-        for j in places {
+        let mut column = Column::with_capacity(count);
+        for j in 0..count {
             let (numerator, denominator) = grid.place(j);
             let common = gcd(numerator, denominator);
             let key = (numerator / common, denominator / common);
@@ -108,11 +107,7 @@ impl<C: Case, F: Format> Nodes for Shared<'_, C, F> {
     }
 
     fn march(&self, n: u64) -> impl Iterator<Item = Transfer<F::Real>> {
-        let column = self.boundaries(n);
-        (0..column.extinction.len()).map(move |i| Transfer {
-            emission: column.emission[i].clone(),
-            extinction: column.extinction[i].clone(),
-        })
+        transfers(self.boundaries(n))
     }
 
     fn interior(&self, n: u64, offset: &Rational) -> Arc<Column<F::Real>> {

@@ -1,10 +1,10 @@
 //! A run in some format, with all that it used.
 
 use super::parts::Measured;
-use super::ran::run;
+use super::ran::{Ran, run};
 use crate::case::{AnyNodes, Case, Nodes, Recorded, Recording, Replayed};
 use crate::method::{Level, Method, MethodError, Stop};
-use crate::real::{Format, Real};
+use crate::real::{Format, Real, row};
 use rug::Float;
 
 /// What methods gave, and the inputs they used.
@@ -46,25 +46,22 @@ impl<C: Case, F: Format> Traced for Ray<'_, C, F> {
     fn trace(&self, methods: &[Method]) -> Trace<'_> {
         let recorded = Recorded::new(self.nodes);
         let mut level = Level::new(&recorded, self.n);
-        let runs: Vec<_> = methods
+        let runs = row(methods
             .iter()
-            .map(|method| run(&mut level, method, Stop::AsDeclared))
-            .collect();
+            .map(|method| run(&mut level, method, Stop::AsDeclared)));
         // What is asked for from here on is no part of the run.
         let recording = recorded.recording();
-        let measured = methods
-            .iter()
-            .zip(runs)
-            .map(|(method, ran)| {
-                let ran = ran?;
-                let rows = level.transmittances(method)?;
-                Ok(Measured {
-                    radiance: ran.radiance.to_float(),
-                    stopped: ran.stopped,
-                    transmittances: rows.iter().map(|row| floats(row)).collect(),
-                })
+        let mut measure = |method, ran: Result<Ran<F::Real>, MethodError>| {
+            let ran = ran?;
+            let rows = level.transmittances(method)?;
+            Ok(Measured {
+                radiance: ran.radiance.to_float(),
+                stopped: ran.stopped,
+                transmittances: row(rows.iter().map(|values| floats(values))),
             })
-            .collect();
+        };
+        let both = methods.iter().zip(runs);
+        let measured = row(both.map(|(method, ran)| measure(method, ran)));
         drop(level);
         let case = self.case;
         Trace {
@@ -81,6 +78,6 @@ impl<C: Case, F: Format> Traced for Ray<'_, C, F> {
     }
 }
 
-fn floats<R: Real>(row: &[R]) -> Vec<Float> {
-    row.iter().map(Real::to_float).collect()
+fn floats<R: Real>(values: &[R]) -> Vec<Float> {
+    row(values.iter().map(Real::to_float))
 }

@@ -1,7 +1,7 @@
 //! Running a program over many places at once.
 
 use super::{Operand, Operation, Program};
-use crate::real::{Format, Real};
+use crate::real::{Format, Real, row};
 use crate::symbolic::Function;
 use std::cmp::Ordering;
 use std::sync::Arc;
@@ -43,7 +43,7 @@ impl<F: Format> Bound<'_, F> {
         let mut from = 0;
         while from < count {
             let to = (from + lanes).min(count);
-            let block: Vec<&[F::Real]> = inputs.iter().map(|values| &values[from..to]).collect();
+            let block = row(inputs.iter().map(|values| &values[from..to]));
             self.run_block(&block, lanes, to - from, &mut registers);
             for (operand, output) in self.program.outputs.iter().zip(outputs.iter_mut()) {
                 match self.values(*operand, &block, &registers, lanes, to - from) {
@@ -60,31 +60,18 @@ impl<F: Format> Bound<'_, F> {
     /// The values of all outputs at one place.
     #[must_use]
     pub fn at(&self, inputs: &[&F::Real]) -> Vec<F::Real> {
-        let block: Vec<&[F::Real]> = inputs
-            .iter()
-            .map(|&value| std::slice::from_ref(value))
-            .collect();
+        let block = row(inputs.iter().map(|&value| std::slice::from_ref(value)));
         let mut registers = vec![self.format.int(0); self.program.registers];
         self.run_block(&block, 1, 1, &mut registers);
-        self.program
-            .outputs
-            .iter()
-            .map(
-                |operand| match self.values(*operand, &block, &registers, 1, 1) {
-                    Values::Each(values) => values[0].clone(),
-                    Values::All(value) => value.clone(),
-                },
-            )
-            .collect()
+        let outputs = self.program.outputs.iter();
+        let value = |operand| self.values(operand, &block, &registers, 1, 1);
+        row(outputs.map(|operand| lane(value(*operand), 0).clone()))
     }
 
     /// Which way every comparison of a piecewise expression goes at one place, in the order of the program.
     #[must_use]
     pub fn branches(&self, inputs: &[&F::Real]) -> Vec<bool> {
-        let block: Vec<&[F::Real]> = inputs
-            .iter()
-            .map(|&value| std::slice::from_ref(value))
-            .collect();
+        let block = row(inputs.iter().map(|&value| std::slice::from_ref(value)));
         let mut registers = vec![self.format.int(0); self.program.registers];
         self.run_block(&block, 1, 1, &mut registers);
         // No register is filled twice, so what was compared still stands there.
