@@ -6,6 +6,7 @@ use crate::case::{Case, PolynomialTransfer, Transfer};
 use crate::real::{Format, Real, row};
 use rug::{Float, Rational};
 use std::collections::BTreeSet;
+use std::fmt::{self, Debug};
 use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
 
 /// Nodes that remember what was asked of them: a run in one format whose inputs another can take over.
@@ -19,7 +20,6 @@ pub struct Recorded<'a, F: Format> {
 }
 
 /// What was asked for.
-#[derive(Debug)]
 struct Log<R> {
     /// By n and offset; boundaries have no offset.
     columns: BTreeSet<Key>,
@@ -27,6 +27,18 @@ struct Log<R> {
     extinctions: Vec<(R, R)>,
     /// s, and C and τ of it.
     transfers: Vec<(R, Transfer<R>)>,
+}
+
+/// How much was asked for: what it was would be pages.
+impl<R> Debug for Log<R> {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let (columns, extinctions) = (self.columns.len(), self.extinctions.len());
+        let transfers = self.transfers.len();
+        write!(
+            f,
+            "{columns} columns, {extinctions} extinctions, {transfers} transfers"
+        )
+    }
 }
 
 /// The inputs of a run, exactly.

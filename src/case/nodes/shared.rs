@@ -6,6 +6,7 @@ use crate::case::{Case, PolynomialTransfer, Transfer};
 use crate::real::Format;
 use rug::Rational;
 use std::collections::HashMap;
+use std::fmt::{self, Debug};
 use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
 
 /// Every node evaluated once and kept: all rules, methods and levels that ask share its values.
@@ -15,7 +16,6 @@ pub struct Shared<'c, C, F: Format> {
     cache: Mutex<Cache<F::Real>>,
 }
 
-#[derive(Debug)]
 struct Cache<R> {
     /// By position, a fraction in lowest terms.
     values: HashMap<(u64, u64), (R, Transfer<R>)>,
@@ -67,6 +67,14 @@ impl<'c, C: Case, F: Format> Shared<'c, C, F> {
         };
         cache.columns.insert(key, Arc::clone(&column));
         column
+    }
+}
+
+/// How much is kept: what it is would be pages.
+impl<R> Debug for Cache<R> {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let (values, columns) = (self.values.len(), self.columns.len());
+        write!(f, "{values} values, {columns} columns")
     }
 }
 
