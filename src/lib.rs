@@ -58,6 +58,7 @@ pub mod document;
 pub mod inside;
 pub mod kernel;
 pub mod method;
+mod parallel;
 pub mod proof;
 pub mod quadrature;
 pub mod real;

@@ -15,7 +15,7 @@ mod symbolic;
 pub use counted::CountedCase;
 pub use file::{ChannelDescription, Description, FileError, FileProblem, Recipe};
 pub use homogeneous_slab::HomogeneousSlab;
-pub use nodes::{Column, Fresh, Nodes, Number, Recorded, Recording, Replayed, Shared};
+pub use nodes::{AnyNodes, Column, Fresh, Nodes, Number, Recorded, Recording, Replayed, Shared};
 pub use reciprocal::{Reciprocal, ReciprocalSquare};
 pub use sine_squared::SineSquared;
 pub use structure::{Along, Break, END_DERIVATIVES, PolynomialTransfer, Structure};

@@ -14,6 +14,7 @@ mod names;
 mod number;
 mod python;
 mod rust;
+mod text;
 
 use super::Program;
 use layout::Layout;

@@ -10,7 +10,7 @@ pub use instruction::{Instruction, Operand, Operation};
 pub use kept::KeptProgram;
 pub use run::Bound;
 
-use crate::real::Format;
+use crate::real::{Format, row};
 use rug::Rational;
 use std::sync::Arc;
 
@@ -99,11 +99,10 @@ impl Program {
 
     fn constants_in<F: Format>(&self, format: F) -> Arc<[F::Real]> {
         let constants = self.constants.iter();
-        constants
-            .map(|constant| match constant {
-                Constant::Rational(q) => format.ratio(q),
-                Constant::Pi => format.pi(),
-            })
-            .collect()
+        let rounded = constants.map(|constant| match constant {
+            Constant::Rational(q) => format.ratio(q),
+            Constant::Pi => format.pi(),
+        });
+        row(rounded).into()
     }
 }

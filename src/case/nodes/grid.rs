@@ -34,8 +34,3 @@ impl Grid {
         (j * self.stride + self.first, self.denominator)
     }
 }
-
-/// Indices 0 … count − 1, of known number.
-pub(super) fn indices(count: u64) -> impl ExactSizeIterator<Item = u64> {
-    (0..usize::try_from(count).unwrap_or(usize::MAX)).map(|i| i as u64)
-}

@@ -26,6 +26,7 @@ mod make;
 mod model;
 mod restore;
 mod run;
+mod series;
 mod settings;
 mod stored;
 mod survey;
