@@ -1,0 +1,16 @@
+//! Many runs: studies, what accuracy costs, plans, extremes, and the command line's promises.
+
+// A test may stop at what a library must not; its numbers are often exact.
+#![allow(
+    clippy::unwrap_used,
+    clippy::expect_used,
+    clippy::panic,
+    clippy::float_cmp
+)]
+
+mod command_line;
+mod plan;
+mod report;
+mod stress;
+mod study;
+mod tradeoff;
