@@ -53,6 +53,8 @@ pub mod assert;
 pub mod case;
 pub mod convergence;
 pub mod diagnosis;
+#[doc(hidden)]
+pub mod inside;
 pub mod kernel;
 pub mod method;
 pub mod proof;

@@ -10,9 +10,11 @@
 
 mod compositing;
 mod definitions;
+mod method;
 mod method_names;
 mod precision;
 mod properties;
+mod quadrature;
 mod random_cases;
 mod rules;
 mod sharing;

@@ -1,12 +1,12 @@
 //! What limits an order, where it is not simply the rule's.
 
-use crate::case::{Case, PolynomialTransfer, SineSquared, Structure};
-use crate::method::{
+use rug::Rational;
+use volver::case::{Case, PolynomialTransfer, SineSquared, Structure};
+use volver::method::{
     Color, Expected, Exponential, Inner, Integration, Interpolant, Nested, Opacity, Outer,
     Preintegrated, Scope,
 };
-use crate::quadrature::{Rule, Sampling};
-use rug::Rational;
+use volver::quadrature::{Rule, Sampling};
 
 #[test]
 fn independent_samples_do_not_converge_under_a_linear_exponential_of_each_segment() {

@@ -1,6 +1,8 @@
-use super::*;
-use crate::case::manufacture::manufacture;
-use crate::case::{Case, HomogeneousSlab, SineSquared, catalogue};
+//! Which orders have a theorem behind them.
+
+use volver::case::manufacture::manufacture;
+use volver::case::{Case, HomogeneousSlab, SineSquared, catalogue};
+use volver::method::Method;
 
 fn theorem_on<C: Case>(method: &str, case: &C) -> Option<&'static str> {
     let method: Method = method.parse().unwrap();

@@ -1,6 +1,6 @@
 //! Names of rules.
 
-use super::{Rule, RuleError};
+use volver::quadrature::{Rule, RuleError};
 
 const NAMES: [(&str, Rule); 9] = [
     ("riemann-left", Rule::RiemannLeft),

@@ -1,11 +1,11 @@
 //! Pre-integration against a second, plainer implementation: interpolants by Lagrange's formula, and
 //! segments by 100 Gauss–Legendre points in place of closed forms and series.
 
-use super::{Color, Integration, Interpolant, LastSegment, Opacity, Preintegrated};
-use crate::case::{Case, Fresh, PolynomialTransfer, SineSquared, Structure, Transfer};
-use crate::quadrature::Rule;
-use crate::real::{Format, Mpfr, MpfrReal, Native, Real};
 use rug::{Float, Rational};
+use volver::case::{Case, Fresh, PolynomialTransfer, SineSquared, Structure, Transfer};
+use volver::method::{Color, Integration, Interpolant, LastSegment, Opacity, Preintegrated};
+use volver::quadrature::Rule;
+use volver::real::{Format, Mpfr, MpfrReal, Native, Real};
 
 const BITS: u32 = 320;
 const FORMAT: Mpfr = Mpfr { bits: BITS };

@@ -3,14 +3,17 @@
 mod breaks;
 mod limits;
 mod orders;
+mod preintegrated;
 mod refusals;
+mod series;
+mod theorem;
 
-use super::{
+use volver::case::HomogeneousSlab;
+use volver::method::{
     Color, Exponential, Filling, Inner, Integration, Interpolant, LastSegment, Method, Nested,
     Opacity, Outer, Preintegrated, Scope,
 };
-use crate::case::HomogeneousSlab;
-use crate::quadrature::{Rule, Sampling};
+use volver::quadrature::{Rule, Sampling};
 
 fn nested(inner: Inner, outer: Rule, exponential: Exponential, scope: Scope) -> Method {
     Method::Nested(Nested {

@@ -4,11 +4,11 @@ use super::{
     BACKWARD, CLOSED, LINEAR, MIDDLE, QUADRATIC, nested, preintegrated, rules, sub_intervals,
     unattenuated,
 };
-use crate::case::{Fresh, HomogeneousSlab, SineSquared};
-use crate::method::{Exponential, Filling, Inner, Method, MethodError, Scope};
-use crate::quadrature::{Rule, RuleError, Sampling};
-use crate::real::Mpfr;
 use rug::Float;
+use volver::case::{Fresh, HomogeneousSlab, SineSquared};
+use volver::method::{Exponential, Filling, Inner, Method, MethodError, Scope};
+use volver::quadrature::{Rule, RuleError, Sampling};
+use volver::real::Mpfr;
 
 fn refused(method: &Method, n: u64) -> MethodError {
     let nodes = Fresh::new(&SineSquared, Mpfr { bits: 64 });

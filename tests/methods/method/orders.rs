@@ -4,12 +4,12 @@ use super::{
     BACKWARD, CLOSED, LINEAR, MIDDLE, QUADRATIC, nested, preintegrated, rules, slab, sub_intervals,
     unattenuated,
 };
-use crate::case::{Case, Fresh, Reciprocal, ReciprocalSquare, SineSquared};
-use crate::method::{Expected, Exponential, Filling, Inner, Limit, Method, Part, Scope, expected};
-use crate::quadrature::{Rule, Sampling};
-use crate::real::{Format, Mpfr, Real};
 use Expected::{Blind, Order};
 use rug::Rational;
+use volver::case::{Case, Fresh, Reciprocal, ReciprocalSquare, SineSquared};
+use volver::method::{Expected, Exponential, Filling, Inner, Limit, Method, Part, Scope, expected};
+use volver::quadrature::{Rule, Sampling};
+use volver::real::{Format, Mpfr, Real};
 
 /// The orders that errors show between consecutive levels, at 400 bits.
 fn measured<C: Case>(method: &Method, case: &C, levels: &[u64]) -> Vec<f64> {

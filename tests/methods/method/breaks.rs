@@ -1,15 +1,15 @@
 //! What jumps, kinks and square roots of the medium leave of an order.
 
 use super::{LINEAR, MIDDLE, nested, preintegrated, rules, sub_intervals};
-use crate::case::manufacture::manufacture;
-use crate::case::{Break, Case, Fresh, Structure, SymbolicCase, catalogue};
-use crate::method::{
-    Expected, Exponential, Filling, Inner, Method, Part, Scope, expected, expected_on,
-};
-use crate::quadrature::{Rule, Sampling};
-use crate::real::{Format, Mpfr, Native, Real};
 use Expected::Order;
 use rug::Rational;
+use volver::case::manufacture::manufacture;
+use volver::case::{Break, Case, Fresh, Structure, SymbolicCase, catalogue};
+use volver::method::{
+    Expected, Exponential, Filling, Inner, Method, Part, Scope, expected, expected_on,
+};
+use volver::quadrature::{Rule, Sampling};
+use volver::real::{Format, Mpfr, Native, Real};
 
 const EVEN: [u64; 4] = [16, 32, 64, 128];
 

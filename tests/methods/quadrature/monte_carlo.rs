@@ -1,10 +1,10 @@
 //! The random numbers: the generator's own, the same everywhere, evenly spread, independent.
 
-use super::{Draw, Draws, Sampling};
-use crate::real::{Format, Mpfr, Native, Real};
 use half::f16;
 use quickcheck::quickcheck;
 use rug::{Integer, Rational};
+use volver::quadrature::{Draw, Draws, Sampling};
+use volver::real::{Format, Mpfr, Native, Real};
 
 fn numerators(seed: u64, n: u64, count: usize) -> Vec<u64> {
     let mut draws = Draws::new(seed, n);

@@ -1,12 +1,12 @@
 //! ∫₀¹ σ exp(−θ) against closed forms with erf, and against mpmath where MPFR has no closed form.
 
-use super::attenuated_integral;
-use crate::method::MethodError;
-use crate::real::{Format, Mpfr, Native, Real};
 use half::f16;
 use quickcheck::QuickCheck;
 use rug::float::Constant;
 use rug::{Float, Rational};
+use volver::inside::method::attenuated_integral;
+use volver::method::MethodError;
+use volver::real::{Format, Mpfr, Native, Real};
 
 fn polynomial<F: Format>(format: F, coefficients: &[(i64, i64)]) -> Vec<F::Real> {
     let ratio = |&c: &(i64, i64)| format.ratio(&Rational::from(c));
@@ -19,7 +19,7 @@ fn integral<F: Format>(format: F, source: &[(i64, i64)], depth: &[(i64, i64)]) -
 
 fn log2_relative(value: &Float, exact: &Float) -> f64 {
     let difference = Float::with_val(exact.prec(), value - exact) / exact;
-    crate::real::MpfrReal::from(difference).log2_abs()
+    volver::real::MpfrReal::from(difference).log2_abs()
 }
 
 /// ∫₀¹ exp(−ax − bx²) dx = √(π/4b) exp(a²/4b) (erf(√b + a/2√b) − erf(a/2√b)), b > 0.
