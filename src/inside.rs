@@ -1,6 +1,20 @@
 //! What this crate's own tests look at; no part of the interface.
 
+/// Inside [`convergence`](crate::convergence).
+pub mod convergence {
+    pub use crate::convergence::bootstrap::{Resampler, quantile};
+    pub use crate::convergence::line::{Line, least_squares};
+    pub use crate::convergence::richardson::start;
+    pub use crate::convergence::verdict::{Beyond, Estimate, Evidence, Trend, judge};
+}
+
 /// Inside [`method`](crate::method).
 pub mod method {
     pub use crate::method::preintegrated::attenuated_integral;
+}
+
+/// Inside [`reference`](mod@crate::reference).
+pub mod reference {
+    pub use crate::reference::chebyshev::transform::cosine_transform;
+    pub use crate::reference::chebyshev::{Circle, Series};
 }

@@ -155,8 +155,3 @@ pub fn fit_replicas(
     }
     Ok(fit)
 }
-
-#[cfg(test)]
-mod coverage;
-#[cfg(test)]
-mod tests;

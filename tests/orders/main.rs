@@ -10,6 +10,7 @@
     clippy::cast_sign_loss
 )]
 
+mod convergence;
 mod fit;
 mod model;
 mod nonsmooth;

@@ -1,5 +1,7 @@
 //! The oracle: as many digits as it says, from closed forms and without them.
 
+mod chebyshev;
+
 use rayon::prelude::*;
 use rug::Float;
 use volver::case::manufacture::{Manufactured, Statement, manufacture};

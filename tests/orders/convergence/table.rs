@@ -1,5 +1,7 @@
-use super::{FloorSource, Levels, Reading, Table, read};
+//! Tables as text: their layouts, floors and errors.
+
 use rug::Float;
+use volver::convergence::table::{FloorSource, Levels, Reading, Table, read};
 
 fn errors(text: &str) -> Vec<(f64, f64)> {
     match read(text, &Reading::default()).unwrap().levels {

@@ -1,8 +1,8 @@
 //! How often the intervals contain the true order: measured on synthetic replicas.
 
-use super::{OrderInterval, Replicas, Verdict, fit_replicas};
 use crate::convergence::random::Random;
-use crate::method::Expected;
+use volver::convergence::{OrderInterval, Replicas, Verdict, fit_replicas};
+use volver::method::Expected;
 
 /// Distributions of mean 0 and variance 1.
 #[derive(Clone, Copy, Debug)]
@@ -77,7 +77,7 @@ fn intervals_hold_the_true_orders() {
     assert_eq!(count.falsely_confirmed, 0);
 }
 
-/// `cargo test --release replicas::coverage -- --ignored --nocapture` prints the figures.
+/// `cargo test --release --test orders replicas::coverage -- --ignored --nocapture` prints the figures.
 #[test]
 #[ignore = "takes minutes: the figures in the documentation of fit_replicas"]
 fn table_of_coverage() {

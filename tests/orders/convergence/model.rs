@@ -1,9 +1,8 @@
 //! Models of errors that follow the laws exactly, and of a random walk.
 
-use super::{ErrorModel, RoundoffLaw};
-use crate::convergence::Split;
 use crate::convergence::random::Random;
 use rug::Float;
+use volver::convergence::{ErrorModel, RoundoffLaw, Split};
 
 const BITS: u32 = 24;
 

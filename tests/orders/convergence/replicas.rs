@@ -1,8 +1,12 @@
 //! Stochastic methods of known order: the fit, its coverage, and every verdict.
 
-use super::{OrderInterval, Replicas, ReplicasError, StochasticFit, Verdict, fit_replicas};
+mod coverage;
+
 use crate::convergence::random::Random;
-use crate::method::Expected;
+use volver::convergence::{
+    OrderInterval, Replicas, ReplicasError, StochasticFit, Verdict, fit_replicas,
+};
+use volver::method::Expected;
 
 /// Seven doublings of bias·dᵖ + deviation·dᑫ·(a number of mean 0 and variance 1).
 fn replicas(

@@ -1,7 +1,8 @@
 //! The limits of trends and verdicts, one number beside each.
 
-use super::{Beyond, Estimate, Evidence, Trend, Verdict, judge};
-use crate::method::Expected;
+use volver::convergence::Verdict;
+use volver::inside::convergence::{Beyond, Estimate, Evidence, Trend, judge};
+use volver::method::Expected;
 
 #[test]
 fn a_trend_goes_by_the_true_step_ratios() {

@@ -1,9 +1,9 @@
 //! How often the interval of a fit contains the true order: measured on synthetic errors.
 
-use super::{Fit, Sample, Verdict, fit};
 use crate::convergence::random::Random;
-use crate::method::Expected;
 use rug::Float;
+use volver::convergence::{Fit, Sample, Verdict, fit};
+use volver::method::Expected;
 
 /// Ladders of n = 4 … about 4096, of constant and of changing ratio.
 fn ladder(random: &mut Random) -> Vec<u64> {
@@ -73,7 +73,7 @@ fn measure(unit: f64, trials: u32, seed: u64) -> Count {
     count
 }
 
-/// `cargo test --release coverage -- --nocapture` prints the figures.
+/// `cargo test --release --test orders fit::coverage -- --nocapture` prints the figures.
 #[test]
 fn intervals_cover_the_true_order_and_never_confirm_a_wrong_one() {
     for (name, unit) in [

@@ -1,9 +1,10 @@
 //! The mechanics of a fit: floor, pairwise orders, window, half-width, input errors.
 
-use super::{Fit, FitError, Sample, fit};
-use crate::convergence::Verdict;
-use crate::method::Expected;
+mod coverage;
+
 use rug::Float;
+use volver::convergence::{Fit, FitError, Sample, Verdict, fit};
+use volver::method::Expected;
 
 /// (step, error, floor), coarse to fine.
 fn samples(rows: &[(f64, f64, f64)]) -> Vec<Sample> {

@@ -1,4 +1,6 @@
-use super::*;
+//! Ladders as text, and their bounds.
+
+use volver::convergence::{Ladder, LadderError, MAX_SEGMENTS};
 
 fn parse(text: &str) -> Result<Ladder, LadderError> {
     text.parse()

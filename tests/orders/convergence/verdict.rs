@@ -1,10 +1,11 @@
 //! Each verdict from a set of errors whose behaviour is known by construction.
 
-use super::Verdict;
-use crate::convergence::{Fit, Note, Sample, fit};
-use crate::method::Expected;
+mod limits;
+
 use rug::Float;
 use rug::ops::Pow;
+use volver::convergence::{Fit, Note, Sample, Verdict, fit};
+use volver::method::Expected;
 
 const DOUBLING: [u64; 8] = [8, 16, 32, 64, 128, 256, 512, 1024];
 

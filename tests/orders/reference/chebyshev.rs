@@ -1,9 +1,8 @@
 //! The fast transform against its definition; series against what they are series of.
 
-use super::transform::cosine_transform;
-use super::{Circle, Series};
 use rug::Float;
 use rug::float::Constant;
+use volver::inside::reference::{Circle, Series, cosine_transform};
 
 const BITS: u32 = 300;
 
