@@ -8,6 +8,15 @@ pub mod convergence {
     pub use crate::convergence::verdict::{Beyond, Estimate, Evidence, Trend, judge};
 }
 
+/// Inside [`kernel`](crate::kernel).
+pub mod kernel {
+    pub use crate::kernel::process::answer::read as read_answer;
+    pub use crate::kernel::process::bare::quoted;
+    pub use crate::kernel::process::greeting::{Greeting, read as read_greeting};
+    pub use crate::kernel::process::trouble::Trouble;
+    pub use crate::kernel::process::written::{Array, Numbers, Written};
+}
+
 /// Inside [`method`](crate::method).
 pub mod method {
     pub use crate::method::preintegrated::attenuated_integral;

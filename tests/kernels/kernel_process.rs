@@ -2,6 +2,7 @@
 
 mod clients;
 mod fixture;
+mod messages;
 mod stop;
 
 use fixture::{Fixture, hasty, patient, segments, subject, task};

@@ -10,6 +10,9 @@
     clippy::cast_sign_loss
 )]
 
+mod assert;
+mod diagnosis;
+mod kernel;
 mod kernel_defects;
 mod kernel_library;
 mod kernel_process;

@@ -1,8 +1,13 @@
-use super::*;
-use crate::case::{Fresh, Nodes, SineSquared, catalogue, manufacture::manufacture};
-use crate::method::Method;
-use crate::real::{FormatName, Native};
+//! Tasks, and what becomes kernels in this program: methods and closures.
+
 use rug::{Float, Rational};
+use volver::case::{Fresh, Nodes, SineSquared, catalogue, manufacture::manufacture};
+use volver::kernel::{
+    BuiltIn, Closure, Cut, CutError, Data, Declaration, FormKind, Kernel, KernelError, Subject,
+    Task,
+};
+use volver::method::Method;
+use volver::real::{FormatName, Mpfr, Native, Real};
 
 fn subject(name: &str) -> Subject {
     let description = catalogue::find(name).unwrap().unwrap();
@@ -88,9 +93,9 @@ fn methods_are_kernels_in_any_format() {
     let rendering = kernel.render(&task(0.125)).unwrap();
     assert_eq!(rendering.radiance.len(), 3);
     assert_eq!(rendering.step, None);
-    let nodes = Fresh::new(&subject.cases()[1], crate::real::Mpfr { bits: 200 });
+    let nodes = Fresh::new(&subject.cases()[1], Mpfr { bits: 200 });
     let green = method.radiance(&nodes, 8).unwrap();
-    assert_eq!(rendering.radiance[1], crate::real::Real::to_float(&green));
+    assert_eq!(rendering.radiance[1], green.to_float());
     // A step that does not divide the ray is not the one used.
     assert_eq!(kernel.render(&task(0.13)).unwrap().step, Some(0.125));
 }

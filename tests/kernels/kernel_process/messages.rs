@@ -1,17 +1,42 @@
-use super::answer;
-use super::bare::quoted;
-use super::number::Number;
-use super::trouble::Trouble;
-use super::written::{Array, Numbers, Written};
-use super::{greeting, schema};
-use crate::case::{catalogue, manufacture::manufacture};
-use crate::kernel::{Data, Declaration, FormKind, Sampling, Subject, Task};
-use crate::real::FormatName;
+//! What is written and read between two processes, to the last bit.
+
+use super::fixture::subject;
 use rug::Float;
 use serde_json::{Value, json};
+use std::sync::LazyLock;
+use volver::inside::kernel::{
+    Array, Numbers, Trouble, Written, quoted, read_answer, read_greeting,
+};
+use volver::kernel::process::schema;
+use volver::kernel::{
+    Data, Declaration, FormKind, KernelError, Rendering, Sampling, Subject, Task,
+};
+use volver::real::FormatName;
+use volver::symbolic::code::Language;
+
+static SUBJECT: LazyLock<Subject> = LazyLock::new(|| subject("homogeneous"));
+
+/// The results in the answer to a request of id 7 for one task.
+fn results(line: &[u8], bits: u32) -> Result<Vec<Result<Rendering, KernelError>>, Trouble> {
+    let task = Task {
+        subject: &SUBJECT,
+        step: 1.0,
+        segments: 2,
+        seed: 0,
+        data: Data::Function,
+    };
+    read_answer(line, 7, &[&task], bits)
+}
+
+/// The radiance that an answer gives as `json`, to at least that many bits.
+fn read(json: &str, bits: u32) -> Option<Float> {
+    let line = format!(r#"{{"type":"radiance","id":7,"results":[{{"radiance":[{json}]}}]}}"#);
+    let mut rendering = results(line.as_bytes(), bits).ok()?.pop()?.unwrap();
+    rendering.radiance.pop()
+}
 
 fn number(json: &str) -> Float {
-    serde_json::from_str::<Number>(json).unwrap().to_float(53)
+    read(json, 53).unwrap()
 }
 
 #[test]
@@ -55,12 +80,9 @@ fn numbers_are_read_to_the_last_bit() {
     let exact = number("\"0x1.00000000000000000000000000001p0\"") - 1_u32;
     assert_eq!(exact, Float::with_val(53, Float::i_exp(1, -116)));
     // A short decimal means what the format of the kernel makes of it.
-    let tenth: Number = serde_json::from_str("\"0.1\"").unwrap();
-    assert_eq!(tenth.to_float(53), 0.1);
-    assert_eq!(
-        tenth.to_float(200),
-        Float::with_val(200, Float::parse("0.1").unwrap())
-    );
+    assert_eq!(number("\"0.1\""), 0.1);
+    let tenth = Float::with_val(200, Float::parse("0.1").unwrap());
+    assert_eq!(read("\"0.1\"", 200), Some(tenth));
 }
 
 #[test]
@@ -92,11 +114,10 @@ fn what_is_no_number_is_refused() {
         "0b1",
         "٣",
     ] {
-        let json = Value::from(text);
-        assert!(serde_json::from_value::<Number>(json).is_err(), "{text}");
+        assert_eq!(read(&Value::from(text).to_string(), 53), None, "{text}");
     }
     for json in ["null", "true", "[1]", "{}"] {
-        assert!(serde_json::from_str::<Number>(json).is_err(), "{json}");
+        assert_eq!(read(json, 53), None, "{json}");
     }
 }
 
@@ -144,9 +165,9 @@ fn greetings_say_all_that_a_declaration_holds() {
     let line = br#"{"type":"hello","protocol":1,"name":"nerf","form":"formula","language":"c","method":
         "front-to-back/front/subtraction","order":"2","format":"f32","quantum":0.5,"stochastic":true,
         "sampling":"ends","far_wall":true,"numbers":"hexadecimal","arrays":"npy"}"#;
-    let greeting = greeting::read(line).unwrap();
+    let greeting = read_greeting(line).unwrap();
     let declaration = Declaration {
-        form: FormKind::Formula(crate::symbolic::code::Language::C),
+        form: FormKind::Formula(Language::C),
         method: Some("front-to-back/front/subtraction".parse().unwrap()),
         order: Some(2.0),
         format: FormatName::F32,
@@ -159,7 +180,7 @@ fn greetings_say_all_that_a_declaration_holds() {
     assert_eq!(greeting.declaration, declaration);
     assert_eq!(greeting.numbers, Numbers::Hexadecimal);
     let least = br#"{"type":"hello","protocol":1,"name":"a","form":"segments"}"#;
-    let least = greeting::read(least).unwrap();
+    let least = read_greeting(least).unwrap();
     assert_eq!(least.declaration, Declaration::new("a"));
     assert_eq!(
         greeting.changes(&least).len(),
@@ -174,7 +195,7 @@ fn what_is_wrong_with_a_greeting_is_named_with_what_is_allowed() {
     let refused = |key: &str, value: Value| {
         let mut hello = json!({"type": "hello", "protocol": 1, "name": "a", "form": "segments"});
         hello[key] = value;
-        match greeting::read(hello.to_string().as_bytes()) {
+        match read_greeting(hello.to_string().as_bytes()) {
             Err(Trouble::Greeting { problem }) => problem,
             other => panic!("{other:?}"),
         }
@@ -226,10 +247,7 @@ fn what_is_wrong_with_a_greeting_is_named_with_what_is_allowed() {
     }
     for line in ["", "[]", "1", "{", "hello", "\u{0}"] {
         assert!(
-            matches!(
-                greeting::read(line.as_bytes()),
-                Err(Trouble::Garbage { .. })
-            ),
+            matches!(read_greeting(line.as_bytes()), Err(Trouble::Garbage { .. })),
             "{line}"
         );
     }
@@ -237,20 +255,9 @@ fn what_is_wrong_with_a_greeting_is_named_with_what_is_allowed() {
 
 #[test]
 fn any_bytes_are_an_answer_or_are_refused() {
-    let description = catalogue::find("homogeneous").unwrap().unwrap();
-    let channels = manufacture(&description).unwrap().into_iter();
-    let channels = channels.map(|c| (c.channel, c.case)).collect();
-    let task = Task {
-        subject: &Subject::new("homogeneous", channels).unwrap(),
-        step: 1.0,
-        segments: 2,
-        seed: 0,
-        data: Data::Function,
-    };
     let line = br#"{"type":"radiance","id":7,"results":[{"radiance":["-0x1.8p-3"],"opacity":NaN,"step":"1e-5",
         "segments":4,"standard_error":[-Infinity]}]}"#;
-    let read = |line: &[u8]| answer::read(line, 7, &[&task], 53);
-    let rendering = read(line).unwrap().pop().unwrap().unwrap();
+    let rendering = results(line, 53).unwrap().pop().unwrap().unwrap();
     assert_eq!(rendering.radiance[0], -0.1875);
     let (mut answers, mut random) = (0, 1_u64);
     for _ in 0..20_000 {
@@ -267,7 +274,7 @@ fn any_bytes_are_an_answer_or_are_refused() {
                 _ => drop(line.remove(place)),
             }
         }
-        answers += usize::from(read(&line).is_ok());
+        answers += usize::from(results(&line, 53).is_ok());
     }
     // Some are hurt where it does not matter.
     assert!((20..10_000).contains(&answers), "{answers}");

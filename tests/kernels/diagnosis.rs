@@ -1,10 +1,19 @@
-use super::*;
-use crate::case::catalogue;
-use crate::case::manufacture::manufacture;
-use crate::case::{Case, Fresh, SymbolicCase};
-use crate::kernel::{Cut, Declaration, Subject};
-use crate::method::Method;
-use crate::real::{Mpfr, MpfrReal, Native, Real};
+//! Recipes and what is found by them, on kernels that are recipes.
+
+mod linear;
+mod recipe;
+mod words;
+
+use volver::case::catalogue;
+use volver::case::manufacture::manufacture;
+use volver::case::{Case, Fresh, SymbolicCase};
+use volver::diagnosis::{
+    Accuracy, OpacityModel, Places, Ray, Recipe, Watched, WatchedLevel, fingerprint, likeness,
+    radiance,
+};
+use volver::kernel::{Cut, Declaration, Subject};
+use volver::method::Method;
+use volver::real::{Mpfr, MpfrReal, Native, Real};
 
 fn case(name: &str) -> SymbolicCase {
     let description = catalogue::find(name).unwrap().unwrap();
