@@ -27,3 +27,21 @@ pub mod reference {
     pub use crate::reference::chebyshev::transform::cosine_transform;
     pub use crate::reference::chebyshev::{Circle, Series};
 }
+
+/// Inside [`study`](crate::study).
+pub mod study {
+    pub use crate::study::run::{exact, exact_radiance};
+    pub use crate::study::tradeoff::calibration::solve::costs;
+
+    /// Inside [`plan`](crate::study::plan).
+    pub mod plan {
+        pub use crate::study::plan::candidates::{Candidate, Forest, Node};
+        pub use crate::study::plan::certify::{Bounds, bounds, nearest_polynomial};
+        pub use crate::study::plan::choose::{Chosen, choose};
+    }
+
+    /// Inside [`verify`](crate::study::verify).
+    pub mod verify {
+        pub use crate::study::verify::standing::{Judged, of};
+    }
+}

@@ -3,7 +3,7 @@
 pub mod nonsmooth;
 pub mod plan;
 pub mod reproduce;
-mod run;
+pub(crate) mod run;
 pub mod stress;
 pub mod sweep;
 pub mod tradeoff;

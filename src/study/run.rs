@@ -96,7 +96,7 @@ pub(super) fn units_a_segment(method: &Method) -> u64 {
 }
 
 /// The very value of a number, NaN where it is not finite.
-pub(super) fn exact<R: Real>(x: &R) -> Float {
+pub fn exact<R: Real>(x: &R) -> Float {
     let bits = x.format().bits();
     match x.to_rational() {
         Some(value) => {
@@ -111,7 +111,10 @@ pub(super) fn exact<R: Real>(x: &R) -> Float {
 }
 
 /// The exact radiance of a case, held with [`reference::GUARD_BITS`] more than `bits`.
-pub(super) fn exact_radiance<C: Case>(case: &C, bits: u32) -> Result<Float, ReferenceError> {
+///
+/// # Errors
+/// [`ReferenceError`] where it is not to be had.
+pub fn exact_radiance<C: Case>(case: &C, bits: u32) -> Result<Float, ReferenceError> {
     Ok(reference::radiance(case, bits.max(f64::MANTISSA_DIGITS))?.value)
 }
 
@@ -203,6 +206,3 @@ impl Run {
         self.radiances.get(method)?.get(level)
     }
 }
-
-#[cfg(test)]
-mod tests;

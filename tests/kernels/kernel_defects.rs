@@ -1,4 +1,5 @@
 //! Seeded defects are flagged and named, and correct kernels are neither.
+
 mod correct;
 mod defects;
 mod marcher;

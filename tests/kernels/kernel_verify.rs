@@ -1,4 +1,5 @@
 //! Verification as a library, on kernels that are right in one way and wrong in another.
+
 mod baseline;
 mod quantum;
 mod said;

@@ -2,6 +2,7 @@
 //!
 //! Figures called "independent" were measured with numpy and mpmath scripts that share no code with
 //! this crate.
+
 use std::sync::LazyLock;
 use volver::convergence::Verdict;
 use volver::method::Expected;

@@ -9,8 +9,12 @@
 )]
 
 mod command_line;
+mod nonsmooth;
 mod plan;
 mod report;
+mod run;
+mod standing;
 mod stress;
 mod study;
+mod sweep;
 mod tradeoff;

@@ -1,5 +1,7 @@
 //! Plans of random scenes: always within their tolerance, and never much dearer than what can be found by search.
 
+mod certify;
+mod choose;
 mod scenes;
 mod uniform;
 

@@ -1,4 +1,8 @@
 //! `volver tradeoff`: deterministic without times, complete in every form, and clear about what is wrong.
+
+mod costs;
+mod fronts;
+
 use assert_cmd::Command;
 use assert_cmd::cargo::cargo_bin_cmd;
 use serde_json::Value;

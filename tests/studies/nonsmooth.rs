@@ -1,8 +1,9 @@
-use super::{Measured, STARTS, judge, level, numbers};
-use crate::convergence::{Sample, Verdict};
-use crate::method::Expected;
-use crate::study::nonsmooth::Place;
+//! Orders of errors that scatter from level to level.
+
 use rug::Float;
+use volver::convergence::{Sample, Verdict};
+use volver::method::Expected;
+use volver::study::nonsmooth::{Measured, Place, STARTS, judge, level, numbers};
 
 /// Errors of a moving place: `error` of n, with a floor.
 fn measured(error: impl Fn(f64) -> f64, floor: f64, expected: Expected) -> Measured {

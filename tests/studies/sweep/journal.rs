@@ -1,8 +1,10 @@
-use crate::study::sweep::fixture::{results, unit};
-use crate::study::sweep::{Header, Journal, JournalError};
+//! Journals: cut off, broken, of another study.
+
+use super::fixture::{results, unit};
 use std::fs;
 use std::path::{Path, PathBuf};
 use tempfile::TempDir;
+use volver::study::sweep::{Header, Journal, JournalError};
 
 fn header() -> Header {
     results().header

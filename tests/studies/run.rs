@@ -1,15 +1,16 @@
 //! Runs, their errors, and the floors beneath them.
 
-use super::{Progress, Run, Silent, exact, exact_radiance, samples, units_a_segment};
-use crate::case::{Case, Fresh, HomogeneousSlab, Reciprocal, ReciprocalSquare, SineSquared};
-use crate::method::{
+use rug::{Float, Rational};
+use std::sync::atomic::{AtomicU64, Ordering};
+use volver::case::{Case, Fresh, HomogeneousSlab, Reciprocal, ReciprocalSquare, SineSquared};
+use volver::inside::study::{exact, exact_radiance};
+use volver::method::{
     Color, Exponential, Inner, Integration, Interpolant, LastSegment, Method, MethodError, Nested,
     Opacity, Outer, Preintegrated, Scope,
 };
-use crate::quadrature::Rule;
-use crate::real::{Fixed, Format, Mpfr, Native};
-use rug::{Float, Rational};
-use std::sync::atomic::{AtomicU64, Ordering};
+use volver::quadrature::Rule;
+use volver::real::{Fixed, Format, Mpfr, Native};
+use volver::study::{Progress, Run, Silent, samples};
 
 fn nested(inner: Rule, outer: Rule, exponential: Exponential, scope: Scope) -> Method {
     Method::Nested(Nested {
@@ -252,17 +253,17 @@ fn progress_hears_of_every_level_and_method() {
         preintegrated(linear, Interpolant::Linear),
         preintegrated(sub, Interpolant::Linear),
     ];
-    assert_eq!(methods.map(|m| units_a_segment(&m)), [1, 1, 100]);
-    let heard = Sum(AtomicU64::new(0));
-    Run::new(
-        &Reciprocal,
-        Native::<f64>::new(),
-        &methods,
-        &[8, 16],
-        &heard,
-    )
-    .unwrap();
-    assert_eq!(heard.0.into_inner(), 24 * 102);
+    let heard = |methods: &[Method]| {
+        let heard = Sum(AtomicU64::new(0));
+        let format = Native::<f64>::new();
+        Run::new(&Reciprocal, format, methods, &[8, 16], &heard).unwrap();
+        heard.0.into_inner()
+    };
+    // How much a segment is.
+    for (method, units) in methods.iter().zip([1, 1, 100]) {
+        assert_eq!(heard(&[*method]), 24 * units);
+    }
+    assert_eq!(heard(&methods), 24 * 102);
 }
 
 #[test]

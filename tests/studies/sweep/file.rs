@@ -1,5 +1,7 @@
-use crate::study::sweep::{FileLevels, StudyFile};
+//! Studies written as files.
+
 use serde_json::Value;
+use volver::study::sweep::{FileLevels, StudyFile};
 
 const EXAMPLE: &str = "\
 cases = [\"sine-squared\", \"@jump\"]

@@ -1,8 +1,10 @@
-use crate::study::Progress;
-use crate::study::sweep::fixture::sweep;
-use crate::study::sweep::{Estimate, Header, Journal, State, Sweep, Unit, run};
+//! Studies run, in any number of threads.
+
+use super::fixture::sweep;
 use rug::Float;
 use std::sync::atomic::{AtomicU64, Ordering};
+use volver::study::Progress;
+use volver::study::sweep::{Estimate, Header, Journal, State, Sweep, Unit, run};
 
 #[derive(Default)]
 struct Count(AtomicU64);

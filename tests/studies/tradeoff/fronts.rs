@@ -1,15 +1,16 @@
 //! Fronts, goals, and what takes no part in them.
 
-use super::record::{Outcome, Point, Unit};
-use super::*;
-use crate::case::catalogue::find;
-use crate::case::manufacture::manufacture;
-use crate::real::FormatName;
-use crate::real::counted::{Counts, Kind};
-use crate::study::Silent;
-use crate::study::sweep::Sweep;
 use rug::Float;
 use rug::float::Special;
+use volver::case::catalogue::find;
+use volver::case::manufacture::manufacture;
+use volver::real::FormatName;
+use volver::real::counted::{Counts, Kind};
+use volver::study::Silent;
+use volver::study::sweep::Sweep;
+use volver::study::tradeoff::{
+    Cost, Outcome, Point, Settings, Timing, USUAL_METHOD, Unit, cheapest, front, run,
+};
 
 fn float(x: f64) -> Float {
     Float::with_val(64, x)

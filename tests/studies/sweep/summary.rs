@@ -1,9 +1,11 @@
-use crate::convergence::Verdict;
-use crate::study::sweep::fixture::results;
-use crate::study::sweep::fixture::{A, B, P, Q, unit};
-use crate::study::sweep::record::{LevelRecord, State, Theory, Unit};
-use crate::study::sweep::{Results, TOLERANCES, summarize};
+//! What is made of the units of a study, against closed forms.
+
+use super::fixture::results;
+use super::fixture::{A, B, P, Q, unit};
 use rug::Float;
+use volver::convergence::Verdict;
+use volver::study::sweep::{LevelRecord, State, Theory, Unit};
+use volver::study::sweep::{Results, TOLERANCES, summarize};
 
 /// The least of √(D² + R²) for D = A n^−P and R = B u n^Q, where P D² = Q R².
 fn least(bits: f64) -> (f64, f64) {
@@ -49,7 +51,18 @@ fn the_total_is_limited_by_the_floor_that_rounding_is() {
 }
 
 fn refused(n: u64) -> LevelRecord {
-    LevelRecord::refused(n, "no".into())
+    LevelRecord {
+        n,
+        state: State::Refused("no".into()),
+        total: None,
+        discretization: None,
+        truncation: None,
+        input: None,
+        arithmetic: None,
+        of_depth: None,
+        resolution: None,
+        oracle_bits: None,
+    }
 }
 
 #[test]
@@ -123,7 +136,7 @@ fn digits_are_relative_to_the_radiance_and_no_more_than_the_format_has() {
 #[test]
 fn maps_have_the_swept_formats_and_groups_the_others() {
     let results = results();
-    let formats = |lines: Vec<&crate::study::sweep::Line>| -> Vec<String> {
+    let formats = |lines: Vec<&volver::study::sweep::Line>| -> Vec<String> {
         lines.iter().map(|line| line.format.clone()).collect()
     };
     let groups: Vec<_> = results

@@ -1,5 +1,7 @@
-use crate::study::sweep::fixture::sweep;
-use crate::study::sweep::{Estimate, Sweep};
+//! Memory and time foreseen.
+
+use super::fixture::sweep;
+use volver::study::sweep::{Estimate, Sweep};
 
 fn at(levels: &[u64]) -> Estimate {
     let levels = levels.to_vec();
