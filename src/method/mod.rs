@@ -13,9 +13,7 @@ mod march;
 mod name;
 mod nested;
 mod outer;
-mod preintegrated;
-#[cfg(test)]
-mod tests;
+pub(crate) mod preintegrated;
 mod theorem;
 
 pub use attenuation::Attenuation;

@@ -1,7 +1,7 @@
 //! The oracle: t(D) and I(D) of a case to any number of digits, from its closed form where it has one, else by
 //! Chebyshev series.
 
-mod chebyshev;
+pub(crate) mod chebyshev;
 mod closed_form;
 mod error;
 mod medium;

@@ -6,7 +6,7 @@ pub mod nonsmooth;
 pub mod plan;
 #[cfg(feature = "studies")]
 pub mod reproduce;
-mod run;
+pub(crate) mod run;
 #[cfg(feature = "studies")]
 pub mod stress;
 #[cfg(feature = "studies")]

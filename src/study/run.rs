@@ -102,7 +102,7 @@ pub(super) fn units_a_segment(method: &Method) -> u64 {
 }
 
 /// The very value of a number, NaN where it is not finite.
-pub(super) fn exact<R: Real>(x: &R) -> Float {
+pub fn exact<R: Real>(x: &R) -> Float {
     exactly(x.to_rational(), x.format().bits())
 }
 
@@ -120,7 +120,10 @@ fn exactly(x: Option<Rational>, bits: u32) -> Float {
 }
 
 /// The exact radiance of a case, held with [`reference::GUARD_BITS`] more than `bits`.
-pub(super) fn exact_radiance<C: Case>(case: &C, bits: u32) -> Result<Float, ReferenceError> {
+///
+/// # Errors
+/// [`ReferenceError`] where it is not to be had.
+pub fn exact_radiance<C: Case>(case: &C, bits: u32) -> Result<Float, ReferenceError> {
     Ok(reference::radiance(case, bits.max(f64::MANTISSA_DIGITS))?.value)
 }
 
@@ -221,6 +224,3 @@ impl Run {
         self.radiances.get(method)?.get(level)
     }
 }
-
-#[cfg(test)]
-mod tests;

@@ -16,6 +16,5 @@ mod generated_code;
 mod manufacture;
 mod mutations;
 mod proofs;
-mod random_cases;
 mod scene;
 mod symbolic;

@@ -17,7 +17,7 @@ const MAX_PIECES: f64 = 65536.0;
 ///
 /// # Errors
 /// [`MethodError::ThickSegment`] where Σ|θₖ| exceeds 65536.
-pub(crate) fn attenuated_integral<R: Real>(source: &[R], depth: &[R]) -> Result<R, MethodError> {
+pub fn attenuated_integral<R: Real>(source: &[R], depth: &[R]) -> Result<R, MethodError> {
     let Some(first) = source.first() else {
         return Err(MethodError::NoClosedForm);
     };
@@ -96,6 +96,3 @@ fn terms(size: f64, degree: usize, bits: u32) -> usize {
 fn index(m: usize) -> i64 {
     i64::try_from(m).unwrap_or(i64::MAX)
 }
-
-#[cfg(test)]
-mod tests;

@@ -8,7 +8,7 @@ mod level;
 mod rows;
 
 pub use cell::Cell;
-pub use level::{Level, Measured, STARTS, judge, numbers};
+pub use level::{Level, Measured, STARTS, judge, level, numbers};
 pub use rows::{Kind, Place};
 
 use super::{Progress, Run, samples};

@@ -1,11 +1,7 @@
 //! Studies made up for tests.
 
 use super::record::{Header, LevelRecord, Row, State, Theory, Unit};
-use super::{Results, Sweep, between, number};
-use crate::case::{SymbolicCase, catalogue, manufacture::manufacture};
-use crate::method::{Exponential, Inner, Method, Nested, Outer, Scope};
-use crate::quadrature::Rule;
-use crate::real::FormatName;
+use super::{Results, between, number};
 use rug::Float;
 
 /// Discretization A·n^−P, arithmetic rounding B·u·n^Q, nothing else.
@@ -81,32 +77,4 @@ pub(crate) fn results() -> Results {
     };
     let swept = [false, true, true, true];
     Results::new(header, Some(10..=12), units, &[1.0], &swept).unwrap()
-}
-
-pub(crate) fn case(name: &str) -> SymbolicCase {
-    let description = catalogue::find(name).unwrap().unwrap();
-    manufacture(&description).unwrap().remove(0).case
-}
-
-/// Two cases, two methods, two formats, four levels, of which Boole's rule does not take the first.
-pub(crate) fn sweep() -> Sweep {
-    let method = |inner, outer| {
-        Method::Nested(Nested {
-            inner: Inner::PerSegment(inner),
-            outer: Outer(outer),
-            exponential: Exponential::Exact,
-            scope: Scope::Whole,
-        })
-    };
-    Sweep {
-        cases: ["sine-squared", "homogeneous"]
-            .map(|name| (name.into(), case(name)))
-            .into(),
-        methods: vec![
-            method(Rule::Trapezoid, Rule::Trapezoid),
-            method(Rule::Simpson, Rule::Boole),
-        ],
-        formats: vec![FormatName::F32, FormatName::Mpfr(70)],
-        levels: vec![2, 4, 8, 16],
-    }
 }

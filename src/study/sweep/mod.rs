@@ -15,8 +15,6 @@ mod record;
 mod results;
 mod run;
 mod summary;
-#[cfg(test)]
-mod tests;
 
 pub use between::between;
 pub use estimate::Estimate;

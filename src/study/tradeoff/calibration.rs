@@ -2,7 +2,7 @@
 
 mod kinds;
 mod runs;
-mod solve;
+pub(crate) mod solve;
 
 use super::clock::now;
 use super::measure::{Timing, nanoseconds, runs_a_measurement};
