@@ -13,7 +13,8 @@ pub(super) fn blocks(blocks: &[Block]) -> Markup {
         @for run in shown.chunk_by(|a, b| plots(a).is_some() && plots(b).is_some()) {
             @match run {
                 [Block::Text(text)] => p { (text) },
-                [Block::Lines(lines)] => pre { (lines) },
+                // It scrolls by itself, and keyboards have to reach it.
+                [Block::Lines(lines)] => pre tabindex="0" { (lines) },
                 [Block::Facts(some)] => (facts(some)),
                 [Block::Finding(found)] => (finding(found)),
                 [Block::Table(some)] => (table::table(some)),

@@ -2,7 +2,7 @@
 
 use super::Part;
 use super::cells::{Placed, change, placed};
-use crate::document::{Block, Cell, Column, Table, Tone};
+use crate::document::{Block, Cell, Column, Medium, Table, Tone};
 use std::collections::HashMap;
 
 /// What differs between reports.
@@ -48,15 +48,15 @@ pub(super) fn differences(parts: &[Part]) -> Differences {
     found
 }
 
+/// The tables that a page shows.
 fn tables(part: &Part) -> impl Iterator<Item = (Place<'_>, &Table)> {
-    part.page.sections.iter().flat_map(|section| {
-        section.blocks.iter().filter_map(|block| match block {
+    const MEDIA: [Medium; 2] = [Medium::Written, Medium::Page];
+    let page = &part.page;
+    page.sections.iter().flat_map(|section| {
+        let shown = section.blocks.iter().filter_map(|b| b.shown_in(&MEDIA));
+        shown.filter_map(|block| match block {
             Block::Table(table) => {
-                let place = (
-                    part.page.kind.as_str(),
-                    section.title.as_str(),
-                    table.caption.as_str(),
-                );
+                let place = (&*page.kind, &*section.title, &*table.caption);
                 Some((place, table))
             }
             _ => None,
@@ -93,10 +93,11 @@ impl Differences {
             cell,
         } in placed(first.1)
         {
-            let mut shown = vec![Cell::text(row.0), Cell::text(column.0), plain(cell)];
+            let mut shown = vec![Cell::text(&row.0), Cell::text(&column.0), plain(cell)];
+            let key = (row, column);
             let mut differs = false;
             for cells in &theirs {
-                let Some(other) = cells.get(&(row, column)) else {
+                let Some(other) = cells.get(&key) else {
                     shown.extend([Cell::text("not there"), Cell::default()]);
                     continue;
                 };
