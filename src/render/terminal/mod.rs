@@ -8,7 +8,7 @@ mod table;
 mod wrap;
 
 pub use paint::Style;
-pub use table::{heading, row};
+pub use table::{below, heading, row};
 pub use wrap::wrap;
 
 use crate::document::{Block, Document, Fact, Medium, Section, Tone};

@@ -1,12 +1,13 @@
 //! A table in columns of characters.
 
 use super::paint::{Style, paint};
-use crate::document::{Cell, Column, Kind, Table};
+use super::{MIN_WIDTH, wrap};
+use crate::document::{Cell, Column, Finding, Kind, Table};
 
-/// Between columns.
-const GAP: usize = 2;
-/// Before a row; the further lines of a row stand deeper.
-const INDENT: usize = 2;
+/// Before a row, and between its columns; closer where a row has one line then, and two otherwise.
+const SPACES: [(usize, usize); 2] = [(2, 2), (0, 1)];
+/// So much deeper stand the further lines of a row.
+const DEEPER: usize = 2;
 
 /// The whole table: headings, rows, and how many more there are.
 pub(super) fn table(table: &Table, width: usize, color: bool) -> String {
@@ -43,9 +44,20 @@ pub fn row(table: &Table, cells: &[Cell], width: usize, color: bool) -> String {
     Layout::new(table, width).row(cells, color)
 }
 
+/// Something found about the row above, set deeper than it.
+#[must_use]
+pub fn below(finding: &Finding, width: usize, color: bool) -> String {
+    let style = finding.tone.map_or(Style::Plain, Style::of);
+    let lines = wrap(&finding.sentence(), width.max(MIN_WIDTH), "    ", "      ");
+    let lines = lines.iter().map(|line| paint(line, style, color) + "\n");
+    lines.collect()
+}
+
 /// Which column stands where.
 struct Layout<'t> {
     table: &'t Table,
+    indent: usize,
+    gap: usize,
     /// Columns by their place in the table, line by line, each with its width.
     lines: Vec<Vec<(usize, usize)>>,
     groups: Vec<usize>,
@@ -55,17 +67,21 @@ impl<'t> Layout<'t> {
     fn new(table: &'t Table, width: usize) -> Self {
         let is_shown = |column: &Column| !column.is_group && !column.is_detail;
         let columns = table.columns.iter().enumerate();
-        let (mut lines, mut line, mut used) = (Vec::new(), Vec::new(), INDENT);
-        for (index, column) in columns.filter(|(_, column)| is_shown(column)) {
-            let Some(own) = own_width(table, index, column) else {
-                continue;
-            };
-            let needed = if line.is_empty() { own } else { own + GAP };
+        let columns = columns.filter(|(_, column)| is_shown(column));
+        let columns = columns.filter_map(|(index, c)| Some((index, own_width(table, index, c)?)));
+        let columns: Vec<(usize, usize)> = columns.collect();
+        let all: usize = columns.iter().map(|(_, own)| own).sum();
+        let gaps = columns.len().saturating_sub(1);
+        let fits = |(indent, gap): &(usize, usize)| indent + all + gap * gaps <= width;
+        let (indent, gap) = SPACES.into_iter().find(fits).unwrap_or(SPACES[0]);
+        let (mut lines, mut line, mut used) = (Vec::new(), Vec::new(), indent);
+        for (index, own) in columns {
+            let needed = if line.is_empty() { own } else { own + gap };
             if !line.is_empty() && used + needed > width {
                 lines.push(std::mem::take(&mut line));
-                used = 2 * INDENT;
+                used = indent + DEEPER;
             }
-            used += if line.is_empty() { own } else { own + GAP };
+            used += if line.is_empty() { own } else { own + gap };
             line.push((index, own));
         }
         lines.push(line);
@@ -73,6 +89,8 @@ impl<'t> Layout<'t> {
         let groups = groups.filter(|(_, column)| column.is_group);
         Layout {
             table,
+            indent,
+            gap,
             lines,
             groups: groups.map(|(index, _)| index).collect(),
         }
@@ -94,7 +112,7 @@ impl<'t> Layout<'t> {
     fn lines(&self, cells: &[Cell], style: Option<Style>, color: bool) -> String {
         let mut text = String::new();
         for (index, columns) in self.lines.iter().enumerate() {
-            let indent = if index == 0 { INDENT } else { 2 * INDENT };
+            let indent = self.indent + if index == 0 { 0 } else { DEEPER };
             let within = |(column, _): &(usize, usize)| cells.get(*column);
             let lines = columns.iter().filter_map(within).map(lines);
             let most = lines.map(|lines| lines.len()).max().unwrap_or(0);
@@ -133,7 +151,7 @@ impl<'t> Layout<'t> {
                 painted + &padding
             }
         });
-        cells.collect::<Vec<_>>().join(&" ".repeat(GAP))
+        cells.collect::<Vec<_>>().join(&" ".repeat(self.gap))
     }
 
     fn groups<'r>(&self, row: &'r [Cell]) -> Vec<&'r str> {
