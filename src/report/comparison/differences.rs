@@ -2,7 +2,7 @@
 
 use super::Part;
 use super::cells::{Placed, change, placed};
-use crate::document::{Block, Cell, Column, Table, Tone};
+use crate::document::{Block, Cell, Column, Medium, Table, Tone};
 use std::collections::HashMap;
 
 /// What differs between reports.
@@ -49,8 +49,9 @@ pub(super) fn differences(parts: &[Part]) -> Differences {
 }
 
 fn tables(part: &Part) -> impl Iterator<Item = (Place<'_>, &Table)> {
-    part.page.sections.iter().flat_map(|section| {
-        section.blocks.iter().filter_map(|block| match block {
+    let sections = part.page.shown_in(&[Medium::Written, Medium::Page]);
+    sections.into_iter().flat_map(|(section, blocks)| {
+        blocks.into_iter().filter_map(|block| match block {
             Block::Table(table) => {
                 let place = (
                     part.page.kind.as_str(),
