@@ -24,11 +24,7 @@ fn main() {
     let python = concat!(env!("CARGO_MANIFEST_DIR"), "/kernel/nothing.py");
     let folder = tempfile::tempdir().expect("a folder");
     let mut kernels = vec![
-        command(
-            "C, unread",
-            &in_c("kernel/nothing.c", folder.path()),
-            &[],
-        ),
+        command("C, unread", &in_c("kernel/nothing.c", folder.path()), &[]),
         command(
             "C, text",
             &in_c("../examples/kernels/front_to_back.c", folder.path()),

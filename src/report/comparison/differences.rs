@@ -50,13 +50,11 @@ pub(super) fn differences(parts: &[Part]) -> Differences {
 
 /// The tables that a page shows.
 fn tables(part: &Part) -> impl Iterator<Item = (Place<'_>, &Table)> {
-    const MEDIA: [Medium; 2] = [Medium::Written, Medium::Page];
-    let page = &part.page;
-    page.sections.iter().flat_map(|section| {
-        let shown = section.blocks.iter().filter_map(|b| b.shown_in(&MEDIA));
-        shown.filter_map(|block| match block {
+    let sections = part.page.shown_in(&[Medium::Written, Medium::Page]);
+    sections.into_iter().flat_map(|(section, blocks)| {
+        blocks.into_iter().filter_map(|block| match block {
             Block::Table(table) => {
-                let place = (&*page.kind, &*section.title, &*table.caption);
+                let place = (&*part.page.kind, &*section.title, &*table.caption);
                 Some((place, table))
             }
             _ => None,
