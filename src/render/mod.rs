@@ -14,6 +14,7 @@ mod error;
 pub mod html;
 mod latex;
 mod markdown;
+mod plot;
 mod preflight;
 pub mod svg;
 pub mod terminal;
