@@ -20,6 +20,7 @@ pub mod comparison;
 mod fixture;
 pub mod nonsmooth;
 pub mod plan;
+pub mod plots;
 pub mod reproduce;
 pub mod stress;
 pub mod study;
