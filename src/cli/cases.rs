@@ -8,7 +8,8 @@ use clap::Args;
 use rayon::prelude::*;
 use std::path::{Path, PathBuf};
 use volver::case::catalogue;
-use volver::report;
+use volver::document::Figure;
+use volver::{render, report};
 
 /// Print cases: all of the catalogue, or one with its formulas, checks and derivation
 #[derive(Args)]
@@ -120,8 +121,8 @@ pub(crate) fn plot(file: &Path, loaded: &Loaded) -> Result<(), Failure> {
     } else {
         &description.title
     };
-    let figure = report::svg::case_plot(title, &loaded.cases)?;
-    Ok(report::write_file(file, &figure)?)
+    let figure = Figure::new("", title, report::plots::of_case(&loaded.cases));
+    Ok(report::write_file(file, &render::svg::figure(&figure))?)
 }
 
 /// The JSON document to its place, and the text to standard output unless that is the document's.

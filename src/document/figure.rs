@@ -47,6 +47,9 @@ pub struct Plot {
     pub series: Vec<Series>,
     /// Straight lines across.
     pub guides: Vec<Guide>,
+    /// What kinds of marks and lines mean here; a reader is told of those that occur.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub key: Vec<(Sign, String)>,
 }
 
 impl Plot {
@@ -59,8 +62,33 @@ impl Plot {
             y,
             series: Vec::new(),
             guides: Vec::new(),
+            key: Vec::new(),
         }
     }
+
+    /// The same plot, which says what its marks and lines mean.
+    #[must_use]
+    pub fn keyed(self, key: impl IntoIterator<Item = (Sign, &'static str)>) -> Self {
+        let key = key.into_iter().map(|(sign, words)| (sign, words.into()));
+        Plot {
+            key: key.collect(),
+            ..self
+        }
+    }
+}
+
+/// A kind of mark or line that a key explains.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum Sign {
+    /// A filled mark.
+    Filled,
+    /// A hollow mark.
+    Hollow,
+    /// A mark that points down.
+    Negative,
+    /// A line without points.
+    Line(Stroke),
 }
 
 /// What is on an axis.
@@ -105,11 +133,14 @@ pub enum Scale {
 /// One curve: its points, and traces that belong to it.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Series {
-    /// What the legend says.
+    /// What the legend says; without a name it says nothing.
     pub name: String,
     /// Which colour of the palette, so that a name has the same colour in all plots; otherwise its place in the plot.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub color: Option<usize>,
+    /// Which shape its marks have; otherwise that of its colour.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub shape: Option<usize>,
     /// Whether a line goes through the points.
     pub line: bool,
     /// The points, in the order of the line.
@@ -126,6 +157,7 @@ impl Series {
         Series {
             name: name.into(),
             color: None,
+            shape: None,
             line: true,
             points: points.into_iter().collect(),
             traces: Vec::new(),
@@ -149,6 +181,15 @@ impl Series {
             ..self
         }
     }
+
+    /// The same series with marks of a shape.
+    #[must_use]
+    pub fn shaped(self, shape: usize) -> Self {
+        Series {
+            shape: Some(shape),
+            ..self
+        }
+    }
 }
 
 /// A point with what is shown where it is pointed at.
@@ -162,6 +203,9 @@ pub struct Point {
     pub y: f64,
     /// The values in words; the name of the series is added.
     pub label: String,
+    /// A few letters beside the mark, such as a number that the legend explains.
+    #[serde(default, skip_serializing_if = "String::is_empty")]
+    pub tag: String,
     /// Filled, not hollow: the order was fitted here, say, or no other method is cheaper.
     #[serde(default)]
     pub filled: bool,
@@ -178,6 +222,7 @@ impl Point {
             x,
             y,
             label: label.into(),
+            tag: String::new(),
             filled: false,
             negative: false,
         }
@@ -191,14 +236,23 @@ impl Point {
             ..self
         }
     }
+
+    /// The same point with letters beside it.
+    #[must_use]
+    pub fn tagged(self, tag: impl Into<String>) -> Self {
+        Point {
+            tag: tag.into(),
+            ..self
+        }
+    }
 }
 
-/// A line without points: a model, a floor, a fitted slope. It widens no axis.
+/// A line without points: a model, a floor, a fitted slope, a function. Beside points it widens no axis.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Trace {
     /// How it is drawn.
     pub stroke: Stroke,
-    /// (x, y) from one end to the other.
+    /// (x, y) from one end to the other; the line breaks at those that are not finite.
     #[serde(deserialize_with = "super::absent::nullable_pairs")]
     pub points: Vec<(f64, f64)>,
 }
@@ -207,6 +261,8 @@ pub struct Trace {
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(rename_all = "kebab-case")]
 pub enum Stroke {
+    /// As a line through points.
+    Solid,
     /// Thin.
     Thin,
     /// Dashed.

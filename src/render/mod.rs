@@ -18,6 +18,8 @@ pub mod html;
 mod latex;
 mod markdown;
 #[cfg(feature = "studies")]
+mod plot;
+#[cfg(feature = "studies")]
 mod preflight;
 #[cfg(feature = "studies")]
 pub mod svg;

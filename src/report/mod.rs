@@ -23,6 +23,7 @@ mod fixture;
 pub mod nonsmooth;
 #[cfg(feature = "studies")]
 pub mod plan;
+pub mod plots;
 #[cfg(feature = "studies")]
 pub mod reproduce;
 #[cfg(feature = "studies")]
