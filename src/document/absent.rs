@@ -16,8 +16,7 @@ pub(super) fn nullable_pairs<'de, D: Deserializer<'de>>(
     Ok(pairs.iter().map(|&(x, y)| (number(x), number(y))).collect())
 }
 
-/// Whether a mark is not set, and so not written.
-#[expect(clippy::trivially_copy_pass_by_ref, reason = "serde asks so")]
-pub(super) fn is_false(is: &bool) -> bool {
-    !is
+/// Whether something is as it is where nothing is said.
+pub(super) fn is_default<T: Default + PartialEq>(is: &T) -> bool {
+    *is == T::default()
 }

@@ -29,4 +29,4 @@ pub use about::About;
 pub use block::{Block, Fact, Finding, Medium, Tone};
 pub use figure::{Axis, Figure, Guide, Plot, Point, Scale, Series, Stroke, Trace};
 pub use outline::{Conclusion, Document, Link, Section};
-pub use table::{Cell, Column, Kind, Table};
+pub use table::{Cell, Column, Kind, OnTerminal, Table};

@@ -79,10 +79,10 @@ impl Conclusion {
 pub struct Section {
     /// The place that addresses point to; made safe, and distinct from other sections', where it is shown.
     pub id: String,
-    /// The heading; a terminal shows none where it is empty.
+    /// The heading; there is none where it is empty.
     pub title: String,
     /// Help for reading, not a result: a terminal shows it in faint letters.
-    #[serde(default, skip_serializing_if = "absent::is_false")]
+    #[serde(default, skip_serializing_if = "absent::is_default")]
     pub is_aside: bool,
     /// The content; figures that follow each other stand side by side where there is room.
     pub blocks: Vec<Block>,

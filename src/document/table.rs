@@ -14,8 +14,8 @@ pub struct Table {
     pub caption: String,
     /// The headings.
     pub columns: Vec<Column>,
-    /// The rows; a row that is too short has empty cells at its end. The first cell names the row: reports are
-    /// compared by it.
+    /// The rows; a row that is too short has empty cells at its end. The first cell that is in no column of groups names
+    /// the row, together with the groups before it: reports are compared by that.
     pub rows: Vec<Vec<Cell>>,
     /// How many rows a terminal shows; where it is not said, all.
     #[serde(default, skip_serializing_if = "Option::is_none")]
@@ -78,11 +78,11 @@ pub struct Column {
     /// How its cells are sorted and set.
     pub kind: Kind,
     /// Rows with the same cell here belong together: a terminal makes it a heading above them.
-    #[serde(default, skip_serializing_if = "absent::is_false")]
+    #[serde(default, skip_serializing_if = "absent::is_default")]
     pub is_group: bool,
-    /// For those with room: a terminal leaves it out.
-    #[serde(default, skip_serializing_if = "absent::is_false")]
-    pub is_detail: bool,
+    /// What a terminal makes of it.
+    #[serde(default, skip_serializing_if = "absent::is_default")]
+    pub on_terminal: OnTerminal,
     /// So many characters wide on a terminal, whatever is in it: rows that are shown before all are known need that.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub width: Option<usize>,
@@ -94,7 +94,7 @@ impl Column {
             title: title.into(),
             kind,
             is_group: false,
-            is_detail: false,
+            on_terminal: OnTerminal::Whole,
             width: None,
         }
     }
@@ -136,7 +136,25 @@ impl Column {
     #[must_use]
     pub fn detail(self) -> Self {
         Column {
-            is_detail: true,
+            on_terminal: OnTerminal::Omitted,
+            ..self
+        }
+    }
+
+    /// The same column, below the row on a terminal.
+    #[must_use]
+    pub fn below(self) -> Self {
+        Column {
+            on_terminal: OnTerminal::Below,
+            ..self
+        }
+    }
+
+    /// The same column, cut on a terminal where it does not fit.
+    #[must_use]
+    pub fn brief(self) -> Self {
+        Column {
+            on_terminal: OnTerminal::Brief,
             ..self
         }
     }
@@ -149,6 +167,21 @@ impl Column {
             ..self
         }
     }
+}
+
+/// What a terminal, which has little room, makes of a column.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum OnTerminal {
+    /// It is shown; text at the end of a line is wrapped where it does not fit.
+    #[default]
+    Whole,
+    /// It is shown, and text at the end of a line is cut where it does not fit.
+    Brief,
+    /// Often empty, or long: it stands below the row, where there is something to say.
+    Below,
+    /// It is left out: for those with room.
+    Omitted,
 }
 
 /// What is in a column.

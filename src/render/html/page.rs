@@ -18,14 +18,14 @@ pub fn render(page: &Document) -> Result<String, ReportError> {
             (head::head(&page.title))
             body {
                 (head::top(page))
-                @if page.sections.len() > 1 { (contents(page, &ids)) }
+                (contents(page, &ids))
                 @if let Some(conclusion) = &page.conclusion {
                     p.conclusion class=[class(conclusion.tone)] { (sign(conclusion.tone)) (conclusion.words) }
                 }
                 main {
                     @for (section, id) in page.sections.iter().zip(&ids) {
                         section id=(id) {
-                            h2 { (section.title) a.anchor href={ "#" (id) } aria-label="link to this section" { "#" } }
+                            @if !section.title.is_empty() { h2 { (section.title) a.anchor href={ "#" (id) } aria-label="link to this section" { "#" } } }
                             (blocks::blocks(&section.blocks))
                         }
                     }
@@ -69,14 +69,19 @@ fn ids(page: &Document) -> Vec<String> {
         .collect()
 }
 
+/// Links to the sections that have a heading, where there are several.
 fn contents(page: &Document, ids: &[String]) -> Markup {
+    let sections = page.sections.iter().zip(ids);
+    let named: Vec<_> = sections.filter(|(s, _)| !s.title.is_empty()).collect();
     html! {
-        nav aria-label="Sections" {
-            details open[page.sections.len() <= 12] {
-                summary { (page.sections.len()) " sections" }
-                ol {
-                    @for (section, id) in page.sections.iter().zip(ids) {
-                        li { a href={ "#" (id) } { (section.title) } }
+        @if named.len() > 1 {
+            nav aria-label="Sections" {
+                details open[named.len() <= 12] {
+                    summary { (named.len()) " sections" }
+                    ol {
+                        @for (section, id) in named {
+                            li { a href={ "#" (id) } { (section.title) } }
+                        }
                     }
                 }
             }

@@ -1,7 +1,7 @@
 //! A document on a terminal.
 //!
-//! Tables are set in columns as wide as their cells. Where they do not fit, the last columns go to a second line of each row,
-//! and so on: nothing is left out but what a builder calls a detail.
+//! Tables are set in columns as wide as their cells. Where they do not fit, text in the last column is wrapped, and other
+//! columns go to a second line of each row, and so on: nothing is left out but what a builder calls a detail.
 
 mod paint;
 mod table;
@@ -13,6 +13,7 @@ pub use wrap::wrap;
 
 use crate::document::{Block, Document, Fact, Medium, Section, Tone};
 use paint::paint;
+use wrap::harmless;
 
 /// Narrower than this, lines are cut by the terminal instead.
 pub const MIN_WIDTH: usize = 40;
@@ -30,6 +31,7 @@ pub fn terminal(document: &Document, width: usize, color: bool) -> String {
         page.section(section);
     }
     if let Some(conclusion) = &document.conclusion {
+        page.gap();
         let style = conclusion.tone.map_or(Style::Plain, Style::of);
         page.put(&conclusion.words, "", "", style);
     }
@@ -58,6 +60,7 @@ impl Page {
         if blocks.iter().all(|block| matches!(block, Block::Figure(_))) {
             return;
         }
+        self.gap();
         if !section.title.is_empty() && !section.is_aside {
             self.put(&section.title, "", "  ", Style::Bold);
         }
@@ -69,7 +72,13 @@ impl Page {
         for block in blocks {
             self.block(block, style);
         }
-        self.text.push('\n');
+    }
+
+    /// An empty line, but for the first.
+    fn gap(&mut self) {
+        if !self.text.is_empty() {
+            self.text.push('\n');
+        }
     }
 
     fn block(&mut self, block: &Block, style: Style) {
@@ -105,17 +114,14 @@ impl Page {
     /// Lines as they are: formulas may stand in columns.
     fn lines(&mut self, lines: &str) {
         for line in lines.trim_end().lines() {
-            // What a file says is shown, and does not steer the terminal.
-            let shown = |c: char| if c.is_control() { ' ' } else { c };
-            let line: String = line.chars().map(shown).collect();
-            self.text += format!("  {line}").trim_end();
+            self.text += format!("  {}", harmless(line)).trim_end();
             self.text.push('\n');
         }
     }
 
     fn put(&mut self, words: &str, first: &str, later: &str, style: Style) {
         for line in wrap(words, self.width, first, later) {
-            self.text += &paint(line.trim_end(), style, self.color);
+            self.text += &paint(harmless(&line).trim_end(), style, self.color);
             self.text.push('\n');
         }
     }

@@ -1,12 +1,16 @@
 //! A table in columns of characters.
 
 use super::paint::{Style, paint};
-use crate::document::{Cell, Column, Kind, Table};
+use super::wrap::{cut, harmless, wrap};
+use crate::document::{Cell, Column, Kind, OnTerminal, Table};
 
 /// Between columns.
 const GAP: usize = 2;
 /// Before a row; the further lines of a row stand deeper.
 const INDENT: usize = 2;
+/// A last column of text gets a line of its own rather than be wrapped, or cut, to less than this.
+const NARROWEST: usize = 24;
+const BRIEFEST: usize = 8;
 
 /// The whole table: headings, rows, and how many more there are.
 pub(super) fn table(table: &Table, width: usize, color: bool) -> String {
@@ -43,30 +47,54 @@ pub fn row(table: &Table, cells: &[Cell], width: usize, color: bool) -> String {
     Layout::new(table, width).row(cells, color)
 }
 
+/// Where a column stands.
+struct Place {
+    column: usize,
+    width: usize,
+    /// How wide it may become at most: text at the end of a line.
+    room: Option<usize>,
+}
+
 /// Which column stands where.
 struct Layout<'t> {
     table: &'t Table,
-    /// Columns by their place in the table, line by line, each with its width.
-    lines: Vec<Vec<(usize, usize)>>,
+    lines: Vec<Vec<Place>>,
     groups: Vec<usize>,
 }
 
 impl<'t> Layout<'t> {
     fn new(table: &'t Table, width: usize) -> Self {
-        let is_shown = |column: &Column| !column.is_group && !column.is_detail;
-        let columns = table.columns.iter().enumerate();
-        let (mut lines, mut line, mut used) = (Vec::new(), Vec::new(), INDENT);
-        for (index, column) in columns.filter(|(_, column)| is_shown(column)) {
-            let Some(own) = own_width(table, index, column) else {
-                continue;
+        let is_shown = |c: &Column| !c.is_group && c.on_terminal != OnTerminal::Omitted;
+        let shown = table.columns.iter().enumerate();
+        let shown = shown.filter_map(|(index, column)| {
+            let own = own_width(table, index, column).filter(|_| is_shown(column))?;
+            Some((index, column.on_terminal, own))
+        });
+        let mut shown: Vec<(usize, OnTerminal, usize)> = shown.collect();
+        shown.sort_by_key(|(_, on, _)| *on == OnTerminal::Below);
+        let mut beside = shown.iter().filter(|(_, on, _)| *on != OnTerminal::Below);
+        let last = beside.next_back().map(|(index, ..)| *index);
+        let last = last.filter(|index| !is_right(table, *index));
+        let (mut lines, mut line, mut used) = (Vec::new(), Vec::<Place>::new(), INDENT);
+        for (index, on_terminal, own) in shown {
+            let room = width.saturating_sub(used);
+            let least = match on_terminal {
+                OnTerminal::Brief => BRIEFEST,
+                _ => NARROWEST.max(longest_word(table, index)),
             };
-            let needed = if line.is_empty() { own } else { own + GAP };
-            if !line.is_empty() && used + needed > width {
+            let fits = own <= room || (last == Some(index) && least <= room);
+            if !line.is_empty() && (on_terminal == OnTerminal::Below || !fits) {
                 lines.push(std::mem::take(&mut line));
                 used = 2 * INDENT;
             }
-            used += if line.is_empty() { own } else { own + GAP };
-            line.push((index, own));
+            let ends = last == Some(index) || on_terminal == OnTerminal::Below;
+            let room = ends.then(|| width.saturating_sub(used).max(BRIEFEST));
+            used += own + GAP;
+            line.push(Place {
+                column: index,
+                width: room.map_or(own, |room| own.min(room)),
+                room,
+            });
         }
         lines.push(line);
         let groups = table.columns.iter().enumerate();
@@ -79,8 +107,12 @@ impl<'t> Layout<'t> {
     }
 
     fn heading(&self, color: bool) -> String {
-        let titles = self.table.columns.iter().map(|c| Cell::text(&c.title));
-        let titles: Vec<Cell> = titles.collect();
+        // What stands below its row needs no heading.
+        let title = |column: &Column| {
+            (column.on_terminal != OnTerminal::Below).then(|| Cell::text(&column.title))
+        };
+        let titles = self.table.columns.iter().map(title);
+        let titles: Vec<Cell> = titles.map(Option::unwrap_or_default).collect();
         if titles.iter().all(|title| title.text.is_empty()) {
             return String::new();
         }
@@ -93,14 +125,27 @@ impl<'t> Layout<'t> {
 
     fn lines(&self, cells: &[Cell], style: Option<Style>, color: bool) -> String {
         let mut text = String::new();
-        for (index, columns) in self.lines.iter().enumerate() {
+        for (index, places) in self.lines.iter().enumerate() {
             let indent = if index == 0 { INDENT } else { 2 * INDENT };
-            let within = |(column, _): &(usize, usize)| cells.get(*column);
-            let lines = columns.iter().filter_map(within).map(lines);
-            let most = lines.map(|lines| lines.len()).max().unwrap_or(0);
+            let parts = places.iter().map(|place| self.parts(cells, place));
+            let parts: Vec<Vec<(Style, String)>> = parts.collect();
+            let most = parts.iter().map(Vec::len).max().unwrap_or(0);
             for part in 0..most.max(usize::from(index == 0)) {
-                let line = self.line(cells, columns, part, (style, color));
-                let line = " ".repeat(indent) + &line;
+                let padded = places.iter().zip(&parts).map(|(place, parts)| {
+                    let (own, words) = match parts.get(part) {
+                        Some((style, words)) => (*style, words.as_str()),
+                        None => (Style::Plain, ""),
+                    };
+                    let padding = " ".repeat(place.width.saturating_sub(words.chars().count()));
+                    let painted = paint(words, style.unwrap_or(own), color);
+                    if is_right(self.table, place.column) {
+                        padding + &painted
+                    } else {
+                        painted + &padding
+                    }
+                });
+                let padded: Vec<String> = padded.collect();
+                let line = " ".repeat(indent) + &padded.join(&" ".repeat(GAP));
                 text += line.trim_end();
                 text.push('\n');
             }
@@ -108,32 +153,25 @@ impl<'t> Layout<'t> {
         text
     }
 
-    /// One line of a row: of cells with several lines that part.
-    fn line(
-        &self,
-        cells: &[Cell],
-        columns: &[(usize, usize)],
-        part: usize,
-        (style, color): (Option<Style>, bool),
-    ) -> String {
-        let cells = columns.iter().map(|(column, width)| {
-            let cell = cells.get(*column);
-            let words = cell.and_then(|cell| lines(cell).into_iter().nth(part));
-            let words = words.unwrap_or_default();
-            let padding = " ".repeat(width.saturating_sub(words.chars().count()));
-            let own = match cell.and_then(|cell| cell.tone) {
-                _ if part > 0 => Style::Faint,
-                Some(tone) => Style::of(tone),
-                None => Style::Plain,
+    /// The lines of a cell and how they look: what is below the first is faint.
+    fn parts(&self, cells: &[Cell], place: &Place) -> Vec<(Style, String)> {
+        let Some(cell) = cells.get(place.column) else {
+            return Vec::new();
+        };
+        let column = self.table.columns.get(place.column);
+        let is_brief = column.is_some_and(|column| column.on_terminal == OnTerminal::Brief);
+        let first = cell.tone.map_or(Style::Plain, Style::of);
+        let mut parts = Vec::new();
+        for (index, line) in cell.text.lines().map(harmless).enumerate() {
+            let style = if index == 0 { first } else { Style::Faint };
+            let fitting = match place.room {
+                Some(room) if is_brief => vec![cut(&line, room)],
+                Some(room) if line.chars().count() > room => wrap(&line, room, "", ""),
+                _ => vec![line],
             };
-            let painted = paint(&words, style.unwrap_or(own), color);
-            if is_right(self.table, *column) {
-                padding + &painted
-            } else {
-                painted + &padding
-            }
-        });
-        cells.collect::<Vec<_>>().join(&" ".repeat(GAP))
+            parts.extend(fitting.into_iter().map(|line| (style, line)));
+        }
+        parts
     }
 
     fn groups<'r>(&self, row: &'r [Cell]) -> Vec<&'r str> {
@@ -150,7 +188,7 @@ impl<'t> Layout<'t> {
                 None => (*group).to_string(),
             }
         });
-        named.collect::<Vec<_>>().join(", ")
+        harmless(&named.collect::<Vec<_>>().join(", "))
     }
 }
 
@@ -161,22 +199,21 @@ fn own_width(table: &Table, index: usize, column: &Column) -> Option<usize> {
     }
     let most = table.most.unwrap_or(usize::MAX);
     let rows = || table.rows.iter().take(most);
-    let cells = rows().filter_map(|row| row.get(index)).flat_map(lines);
-    let widest = cells.map(|line| line.chars().count()).max();
+    let cells = rows().filter_map(|row| row.get(index));
+    let lines = cells.flat_map(|cell| cell.text.lines());
+    let widest = lines.map(|line| line.chars().count()).max();
     let is_bare = widest.is_none_or(|widest| widest == 0) && rows().next().is_some();
     (!is_bare).then(|| widest.unwrap_or(0).max(column.title.chars().count()))
+}
+
+/// What wrapping leaves whole.
+fn longest_word(table: &Table, index: usize) -> usize {
+    let cells = table.rows.iter().filter_map(|row| row.get(index));
+    let words = cells.flat_map(|cell| cell.text.split_whitespace());
+    words.map(|word| word.chars().count()).max().unwrap_or(0)
 }
 
 fn is_right(table: &Table, index: usize) -> bool {
     let kind = table.columns.get(index).map(|column| column.kind);
     matches!(kind, Some(Kind::Number | Kind::Logarithm))
-}
-
-/// The lines of a cell; what a file says is shown, and does not steer the terminal.
-fn lines(cell: &Cell) -> Vec<String> {
-    let shown = |c: char| if c.is_control() { ' ' } else { c };
-    let lines = cell.text.lines();
-    lines
-        .map(|line| line.chars().map(shown).collect())
-        .collect()
 }

@@ -22,3 +22,18 @@ pub fn wrap(text: &str, width: usize, first: &str, later: &str) -> Vec<String> {
     lines.push(line);
     lines
 }
+
+/// As much of a text as fits.
+pub(super) fn cut(text: &str, width: usize) -> String {
+    if text.chars().count() <= width {
+        return text.into();
+    }
+    let cut: String = text.chars().take(width.saturating_sub(1)).collect();
+    format!("{}…", cut.trim_end_matches([',', ' ']))
+}
+
+/// What a file says is shown, and does not steer the terminal.
+pub(super) fn harmless(text: &str) -> String {
+    let shown = |c: char| if c.is_control() { ' ' } else { c };
+    text.chars().map(shown).collect()
+}
