@@ -20,6 +20,8 @@ pub mod comparison;
 #[cfg(test)]
 mod fixture;
 #[cfg(feature = "studies")]
+mod names;
+#[cfg(feature = "studies")]
 pub mod nonsmooth;
 #[cfg(feature = "studies")]
 pub mod plan;

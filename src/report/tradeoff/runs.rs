@@ -1,10 +1,9 @@
 //! Every run, for tables and plots elsewhere.
 
-use crate::report::ReportError;
+use crate::document::{Cell, Column, Table};
 use crate::study::tradeoff::{CaseResults, Outcome, Point, Results, Unit};
-use std::io;
 
-const HEAD: [&str; 17] = [
+const COLUMNS: [&str; 17] = [
     "case",
     "method",
     "format",
@@ -24,32 +23,22 @@ const HEAD: [&str; 17] = [
     "reason",
 ];
 
-/// One line a run behind a line of names, as RFC 4180 has it but with line feeds. What is not known is empty;
-/// errors have twenty digits.
-///
-/// # Errors
-/// [`ReportError::Csv`], which no comparison is known to cause.
-pub fn csv(results: &Results) -> Result<String, ReportError> {
-    let mut writer = csv::Writer::from_writer(Vec::new());
-    let broken = |error: csv::Error| ReportError::Csv(error.into());
-    writer.write_record(HEAD).map_err(broken)?;
+/// A row a run. What is not known is empty; errors have twenty digits.
+pub(super) fn table(results: &Results) -> Table {
+    let mut table = Table::new("All runs", COLUMNS.map(Column::text)).named("tradeoff");
     for case in &results.cases {
         let front = case.front(results.cost);
         for unit in &case.units {
             for point in &unit.points {
                 let on_front = front.iter().any(|(_, other)| std::ptr::eq(*other, point));
-                let record = record(case, unit, point, on_front);
-                writer.write_record(record).map_err(broken)?;
+                table.rows.push(record(case, unit, point, on_front));
             }
         }
     }
-    let bytes = writer
-        .into_inner()
-        .map_err(|error| ReportError::Csv(error.into_error()))?;
-    String::from_utf8(bytes).map_err(|error| ReportError::Csv(io::Error::other(error)))
+    table
 }
 
-fn record(case: &CaseResults, unit: &Unit, point: &Point, on_front: bool) -> [String; HEAD.len()] {
+fn record(case: &CaseResults, unit: &Unit, point: &Point, on_front: bool) -> Vec<Cell> {
     let number = |x: Option<f64>| x.map_or(String::new(), |x| format!("{x:.1}"));
     let error = match point.outcome.error() {
         Some(error) if error.is_zero() => "0".into(),
@@ -61,7 +50,7 @@ fn record(case: &CaseResults, unit: &Unit, point: &Point, on_front: bool) -> [St
         _ => String::new(),
     };
     let timing = point.measured;
-    [
+    let cells: [String; COLUMNS.len()] = [
         case.name.clone(),
         point.method.name(),
         unit.format.to_string(),
@@ -79,5 +68,6 @@ fn record(case: &CaseResults, unit: &Unit, point: &Point, on_front: bool) -> [St
         on_front.to_string(),
         point.only_usual.to_string(),
         reason,
-    ]
+    ];
+    cells.map(Cell::text).into()
 }
