@@ -3,5 +3,8 @@
 #![allow(clippy::unwrap_used, clippy::panic, clippy::float_cmp)] // A test may stop, and may know a number exactly.
 
 mod entries;
+mod plan;
 mod plots;
+mod stress;
 mod svg;
+mod verify;
