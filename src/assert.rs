@@ -3,8 +3,10 @@
 use crate::case::catalogue;
 use crate::case::manufacture::{ManufactureError, manufacture};
 use crate::convergence::{Ladder, LadderError};
+use crate::document::About;
 use crate::kernel::{Kernel, Subject, SubjectError};
-use crate::report::verify::{closing, heading, row};
+use crate::render::terminal;
+use crate::report::verify::{document, heading, row};
 use crate::study::Silent;
 use crate::study::verify::{
     Conclusion, Settings, SettingsError, Verification, VerifyError, verify,
@@ -56,9 +58,10 @@ impl fmt::Display for OrderError {
             OrderError::Unconfirmed(verification) => {
                 let rows = verification.lines.iter();
                 let rows: String = rows.map(|line| row(line, WIDTH, false)).collect();
-                let head = heading(false);
-                let closing = closing(verification, WIDTH, false);
-                write!(f, "the order is not confirmed\n{head}{rows}{closing}")
+                let head = heading(WIDTH, false);
+                let about = About::new(std::env::args_os());
+                let closing = terminal(&document(verification, &about), WIDTH, false);
+                write!(f, "the order is not confirmed\n{head}{rows}\n{closing}")
             }
             OrderError::Order { order } => {
                 write!(f, "an order of {order} (allowed: finite, above 0)")

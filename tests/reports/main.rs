@@ -4,7 +4,10 @@
 
 mod entries;
 mod fixture;
+mod plan;
 mod plots;
+mod stress;
 mod study;
 mod svg;
 mod tradeoff;
+mod verify;

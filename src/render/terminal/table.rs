@@ -53,7 +53,9 @@ pub fn row(table: &Table, cells: &[Cell], width: usize, color: bool) -> String {
 pub fn below(finding: &Finding, width: usize, color: bool) -> String {
     let style = finding.tone.map_or(Style::Plain, Style::of);
     let lines = wrap(&finding.sentence(), width.max(MIN_WIDTH), "    ", "      ");
-    let lines = lines.iter().map(|line| paint(line, style, color) + "\n");
+    let lines = lines
+        .iter()
+        .map(|line| paint(&harmless(line), style, color) + "\n");
     lines.collect()
 }
 

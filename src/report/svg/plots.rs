@@ -1,3 +1,3 @@
 //! Where plots were built.
 
-pub(in crate::report) use crate::report::plots::{of_convergence, of_split, of_table};
+pub(in crate::report) use crate::report::plots::{of_split, of_table};

@@ -32,12 +32,15 @@ fn a_plan_is_bounded_run_and_compared() {
         .success();
     let text = String::from_utf8(run.get_output().stdout.clone()).unwrap();
     assert!(text.contains("smoke: tolerance 1e-4"), "{text}");
-    assert!(text.contains("left out: "), "{text}");
+    assert!(
+        text.contains("\n    what lies between the points\n"),
+        "{text}"
+    );
     assert!(text.contains("<= 0.0001"), "{text}");
     for channel in ["red", "green", "blue"] {
         let line = text
             .lines()
-            .find(|line| line.starts_with(&format!("{channel}: within the tolerance")));
+            .find(|line| line.starts_with(&format!("* {channel}: within the tolerance")));
         assert!(line.is_some(), "{text}");
     }
     assert_eq!(text.matches("within the tolerance").count(), 3, "{text}");

@@ -260,7 +260,7 @@ fn what_it_says_stays_text_in_every_report() {
     );
     let markdown = read("verify.md");
     assert!(
-        markdown.contains(r"\[31mred \]0;title \]\]\> \<b\>&amp; \| \*x\*"),
+        markdown.contains(r"\[31mred \]0;title \]\]\> \<b\>\&amp; \| \*x\*"),
         "{markdown}"
     );
     assert!(!markdown.contains('\u{1b}'));
