@@ -13,13 +13,21 @@
 //! | [`stress`] | digits and verdicts at the extremes |
 //! | [`tradeoff`] | error against cost |
 //! | [`plan`] | the least model of a scene |
+//! | [`fit`] | an order from anybody's errors |
+//! | [`cases`] | cases, their formulas and what is proved of them |
+//! | [`reference`](mod@reference) | radiances to many digits |
+//! | [`proofs`] | cases as theorems |
 //! | [`comparison`] | several reports on one page, what differs first |
 
+pub mod cases;
 pub mod comparison;
+pub mod fit;
 #[cfg(test)]
 mod fixture;
 pub mod nonsmooth;
 pub mod plan;
+pub mod proofs;
+pub mod reference;
 pub mod reproduce;
 pub mod stress;
 pub mod study;
