@@ -13,10 +13,18 @@
 //! | [`stress`] | digits and verdicts at the extremes |
 //! | [`tradeoff`] | error against cost |
 //! | [`plan`] | the least model of a scene |
+//! | [`fit`] | an order from anybody's errors |
+//! | [`cases`] | cases, their formulas and what is proved of them |
+//! | [`reference`](mod@reference) | radiances to many digits |
+//! | [`proofs`] | cases as theorems |
 //! | [`comparison`] | several reports on one page, what differs first |
 
 #[cfg(feature = "studies")]
+pub mod cases;
+#[cfg(feature = "studies")]
 pub mod comparison;
+#[cfg(feature = "studies")]
+pub mod fit;
 #[cfg(test)]
 mod fixture;
 #[cfg(feature = "studies")]
@@ -26,6 +34,10 @@ pub mod nonsmooth;
 #[cfg(feature = "studies")]
 pub mod plan;
 pub mod plots;
+#[cfg(feature = "studies")]
+pub mod proofs;
+#[cfg(feature = "studies")]
+pub mod reference;
 #[cfg(feature = "studies")]
 pub mod reproduce;
 #[cfg(feature = "studies")]

@@ -33,8 +33,8 @@ fn names(document: &Value) -> Vec<&str> {
 #[test]
 fn the_list_has_every_case_in_lines_that_fit() {
     let text = text(&[]);
-    let first: Vec<&str> = text
-        .lines()
+    let lines = || text.lines().filter_map(|line| line.strip_prefix("  "));
+    let first: Vec<&str> = lines()
         .filter_map(|line| line.split([' ', '/']).next())
         .collect();
     for name in catalogue::names() {
@@ -44,7 +44,7 @@ fn the_list_has_every_case_in_lines_that_fit() {
         text.lines().all(|line| line.chars().count() <= 80),
         "{text}"
     );
-    let paper = text.lines().find(|line| line.starts_with("sine-squared "));
+    let paper = lines().find(|line| line.starts_with("sine-squared "));
     let paper: Vec<&str> = paper.unwrap().split_whitespace().collect();
     assert_eq!(paper[1..4], ["1", "0.420735", "0.134393"]);
     assert!(text.contains("\n50 cases, 58 channels; "));
@@ -75,10 +75,13 @@ fn a_case_is_shown_in_full() {
     let text = text(&["sine-squared"]);
     for part in [
         "sine-squared: The medium of the paper's Table 1\n",
-        "\ntau(s)      cos(s^2)*s\n",
-        "\nC(s)        sin(s^2)\n",
-        "\nI(D)        0.134393\n",
-        "\n            t(0) = 0            proved\n",
+        "\ntau(s)     cos(s^2)*s\n",
+        "\nC(s)       sin(s^2)\n",
+        "\nI(D)       0.134393\n",
+        "\nchecks\n",
+        "\n  t(0) = 0            proved\n",
+        "\norders\n",
+        "\n  simpson/simpson             4      nested_simpson_fourth_order\n",
         "\nderivation\n  Field s = lambda, ",
     ] {
         assert!(text.contains(part), "{part}: {text}");
@@ -98,11 +101,11 @@ fn notes_and_breaks_are_said() {
         ("cloud", "tau is a polynomial of degree "),
         (
             "jump-off-node",
-            "break       lambda = 1/3: tau jumps, C tau jumps\n",
+            "break      lambda = 1/3: tau jumps, C tau jumps\n",
         ),
         (
             "jump-moving",
-            "break       lambda near 0.577350: tau jumps, C tau jumps\n",
+            "break      lambda near 0.577350: tau jumps, C tau jumps\n",
         ),
         ("kink-on-node", "tau has a kink"),
     ] {
@@ -116,7 +119,7 @@ fn channels_are_shown_together_or_alone() {
     for channel in ["red", "green", "blue"] {
         assert!(all.contains(&format!("\nchannel {channel}\n")));
     }
-    assert!(all.contains("\ntau(lambda) 1 + 4*lambda*(1 - lambda)\n"));
+    assert!(all.contains("\ntau(lambda)  1 + 4*lambda*(1 - lambda)\n"));
     let one = text(&["rgb-transfer/green"]);
     assert!(one.starts_with("rgb-transfer/green: "));
     assert!(!one.contains("channel "));
@@ -134,6 +137,21 @@ fn names_that_are_none_bring_up_the_nearest() {
     cases(&["sine-sqared"]).assert().code(2).stdout("").stderr(
         "volver: no case 'sine-sqared' (nearest: sine-squared; allowed: see volver cases, or a path with / or ending in .toml)\n",
     );
+    let far = "x".repeat(1000);
+    for (name, near) in [
+        // A letter too few; a part, the nearest first.
+        ("thik", "nearest: thick; "),
+        ("back", "nearest: thick-back, emission-back; "),
+        // A third of the letters may be wrong, missing or too many, and no more.
+        ("kimkk-movin", "nearest: kink-moving; "),
+        ("kimkk-mowin", ""),
+        ("zzzzzz", ""),
+        (&far, ""),
+    ] {
+        cases(&[name]).assert().code(2).stderr(starts_with(format!(
+            "volver: no case '{name}' ({near}allowed: "
+        )));
+    }
     cases(&["a\nb"])
         .assert()
         .code(2)

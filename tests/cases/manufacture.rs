@@ -24,9 +24,9 @@ fn text(arguments: &[&str], input: &str) -> String {
 #[test]
 fn a_case_is_derived_from_standard_input_and_files_alike() {
     let derived = text(&["-"], FOG);
-    assert!(derived.starts_with("fog\nD           2\n"), "{derived}");
-    assert!(derived.contains("\ntau(s)      2*s\n"), "{derived}");
-    assert!(derived.contains("\nC(s)        s^2\n"), "{derived}");
+    assert!(derived.starts_with("fog\nD          2\n"), "{derived}");
+    assert!(derived.contains("\ntau(s)     2*s\n"), "{derived}");
+    assert!(derived.contains("\nC(s)       s^2\n"), "{derived}");
     assert!(!derived.contains("derivation"));
     let directory = tempfile::tempdir().unwrap();
     let path = directory.path().join("fog.toml");
@@ -76,7 +76,7 @@ fn a_refuted_statement_is_a_failed_check() {
 fn negative_emission_is_a_warning() {
     let dark = "name = \"dark\"\nlength = 1\ndepth = \"lambda\"\nradiance = \"-lambda\"\n";
     let text = text(&["-"], dark);
-    let warning = "\nwarning: C >= 0 fails at lambda = 0: an analytic case may, a kernel test will refuse it\n";
+    let warning = "\n! warning: C >= 0 fails at lambda = 0: an analytic case may, a kernel test will\n  refuse it\n";
     assert!(text.contains(warning), "{text}");
     let json = json(&["-"], dark);
     assert_eq!(json["proved"], true);

@@ -3,7 +3,7 @@
 use assert_cmd::Command;
 use assert_cmd::cargo::cargo_bin_cmd;
 use predicates::prelude::*;
-use predicates::str::contains;
+use predicates::str::{contains, is_match};
 use serde_json::Value;
 use std::io::Write;
 
@@ -23,6 +23,12 @@ fn json(arguments: &[&str], input: &str) -> Value {
 
 fn number(value: &Value) -> f64 {
     value.as_f64().unwrap()
+}
+
+/// A line that names something, in a column as wide as the names, and says this of it.
+fn says(name: &str, what: &str) -> impl Predicate<str> {
+    let what = what.replace('(', "\\(").replace(')', "\\)");
+    is_match(format!("(?m)^{name} +{what}")).unwrap()
 }
 
 /// Exit code 2, nothing on standard output, exactly this line on standard error.
@@ -47,11 +53,11 @@ fn a_table_on_standard_input_is_fitted() {
          floor     unknown\n\
          verdict   Fitted\n\
          \n\
-         level           n         step         error      order\n    \
-             0           -    4.0000e-1     8.0000e-2          -  window\n    \
-             1           -    2.0000e-1     2.0000e-2     2.0000  window\n    \
-             2           -    1.0000e-1     5.0000e-3     2.0000  window\n    \
-             3           -    5.0000e-2     1.2500e-3     2.0000  window\n",
+         \x20 level  n       step      error   order\n\
+         \x20     0  -  4.0000e-1  8.0000e-2       -  window\n\
+         \x20     1  -  2.0000e-1  2.0000e-2  2.0000  window\n\
+         \x20     2  -  1.0000e-1  5.0000e-3  2.0000  window\n\
+         \x20     3  -  5.0000e-2  1.2500e-3  2.0000  window\n",
         );
 }
 
@@ -77,9 +83,10 @@ fn an_expectation_makes_it_a_check() {
         volver(&["fit", "-", "--expect", expected], SECOND_ORDER)
             .assert()
             .code(code)
-            .stdout(contains(format!(
-                "verdict   {verdict} (expected {expected})\n"
-            )));
+            .stdout(says(
+                "verdict",
+                &format!("{verdict} (expected {expected})\n"),
+            ));
     }
     let zeros = "4,0\n2,0\n1,0\n0.5,0";
     volver(&["fit", "-", "--expect", "exact"], zeros)
@@ -108,7 +115,7 @@ fn what_is_inconclusive_does_not_pass() {
             volver(arguments, table)
                 .assert()
                 .code(code)
-                .stdout(contains(format!("verdict   {verdict}")));
+                .stdout(says("verdict", verdict));
         }
     }
 }
@@ -278,14 +285,15 @@ fn unreadable_files_are_named_in_one_line() {
 
 #[test]
 fn colours_show_on_request_only() {
-    let plain = contains("verdict   Fitted\n");
-    volver(&["fit", "-"], SECOND_ORDER).assert().stdout(plain);
+    volver(&["fit", "-"], SECOND_ORDER)
+        .assert()
+        .stdout(says("verdict", "Fitted\n"));
     volver(&["fit", "-", "--color", "never"], SECOND_ORDER)
         .assert()
         .stdout(contains("\x1b").not());
     for (expected, painted) in [
-        ("2", "\x1b[32mConfirmed\x1b[0m"),
-        ("3", "\x1b[31mTooLow\x1b[0m"),
+        ("2", "\x1b[32mverdict   Confirmed (expected 2)\x1b[0m\n"),
+        ("3", "\x1b[31mverdict   TooLow (expected 3)\x1b[0m\n"),
     ] {
         volver(
             &["fit", "-", "--color", "always", "--expect", expected],
@@ -296,7 +304,7 @@ fn colours_show_on_request_only() {
     }
     volver(&["fit", "-", "--color", "always"], "2,4\n1,1\n")
         .assert()
-        .stdout(contains("\x1b[33mTooFewLevels\x1b[0m"));
+        .stdout(contains("\x1b[33mverdict  TooFewLevels\x1b[0m\n"));
 }
 
 #[test]

@@ -250,7 +250,7 @@ fn bad_directories_are_named_in_one_line_and_leave_nothing() {
     .unwrap();
     fs::write(
         here.join("newer/index.html"),
-        text.replace("{\"schema\":1,", "{\"schema\":9,"),
+        text.replace("{\"schema\":2,", "{\"schema\":9,"),
     )
     .unwrap();
     for (arguments, message) in [
@@ -268,7 +268,7 @@ fn bad_directories_are_named_in_one_line_and_leave_nothing() {
         (&["before", "cut"], "'cut/index.html': a damaged page: EOF"),
         (
             &["before", "newer"],
-            "'newer/index.html': a page of schema 9 (allowed: 1)",
+            "'newer/index.html': a page of schema 9 (allowed: 2)",
         ),
         (
             &["before", "./before/"],

@@ -50,7 +50,7 @@ fn without_coq_nothing_is_proved() {
         .code(1)
         .stdout(
             predicate::str::is_match(
-                "^sine-squared +not checked +./sine_squared.v\n    './no-such-program' does not run: ",
+                "^  sine-squared +not checked +./sine_squared.v\n    './no-such-program' does not run: ",
             )
             .unwrap(),
         );
@@ -86,7 +86,7 @@ fn coqs_verdict_and_message_are_passed_on() {
     prove(&folder, &["thick", "--coqc", "./coqc"])
         .assert()
         .code(0)
-        .stdout(predicate::str::is_match("^thick +proved +./thick.v\n$").unwrap());
+        .stdout(predicate::str::is_match("^  thick +proved +./thick.v\n$").unwrap());
 
     fs::write(
         &coqc,

@@ -1,12 +1,12 @@
 //! Exact numbers and exact answers, evaluated and written.
 
+use crate::case::manufacture::{Manufactured, Outcome};
+use crate::case::{Case, SymbolicCase};
+use crate::real::{Format, Mpfr};
+use crate::reference::{self, ReferenceError};
+use crate::symbolic::{Expr, Interval};
 use rug::float::Special;
 use rug::{Float, Rational};
-use volver::case::Case;
-use volver::case::manufacture::{Manufactured, Outcome};
-use volver::real::{Format, Mpfr};
-use volver::reference::{self, ReferenceError};
-use volver::symbolic::{Expr, Interval};
 
 /// Bits of values without a closed form: more than binary64 has.
 const REFERENCE_BITS: u32 = 64;
@@ -21,25 +21,35 @@ const DIGITS: usize = 6;
 const LONGEST: usize = 24;
 
 /// t(D).
-pub(crate) fn total_depth(case: &Manufactured) -> Result<Float, ReferenceError> {
-    let length = case.case.length();
-    let Some(depth) = &case.case.formulas().optical_depth else {
-        return Ok(reference::optical_depth(&case.case, REFERENCE_BITS)?.value);
-    };
-    let at_end = || Some(case.case.optical_depth(&SHOWN.ratio(&length))?.into());
-    let value = enclosed(depth, &length).or_else(at_end);
-    Ok(value.unwrap_or_else(|| Float::with_val(SHOWN.bits, Special::Nan)))
+pub(super) fn total_depth(case: &Manufactured) -> Result<Float, ReferenceError> {
+    let case = &case.case;
+    match &case.formulas().optical_depth {
+        Some(depth) => Ok(closed_form(case, depth, |end| case.optical_depth(end))),
+        None => Ok(reference::optical_depth(case, REFERENCE_BITS)?.value),
+    }
 }
 
 /// I(D).
-pub(crate) fn radiance(case: &Manufactured) -> Result<Float, ReferenceError> {
-    let length = case.case.length();
-    let Some(radiance) = &case.case.formulas().radiance else {
-        return Ok(reference::radiance(&case.case, REFERENCE_BITS)?.value);
-    };
-    let at_end = || Some(case.case.radiance(&SHOWN.ratio(&length))?.into());
-    let value = enclosed(radiance, &length).or_else(at_end);
-    Ok(value.unwrap_or_else(|| Float::with_val(SHOWN.bits, Special::Nan)))
+pub(super) fn radiance(case: &Manufactured) -> Result<Float, ReferenceError> {
+    let case = &case.case;
+    match &case.formulas().radiance {
+        Some(radiance) => Ok(closed_form(case, radiance, |end| case.radiance(end))),
+        None => Ok(reference::radiance(case, REFERENCE_BITS)?.value),
+    }
+}
+
+type Number = <Mpfr as Format>::Real;
+
+/// A closed form at the far end, as `plain` evaluates it where it cannot be enclosed.
+fn closed_form(
+    case: &SymbolicCase,
+    formula: &Expr,
+    plain: impl Fn(&Number) -> Option<Number>,
+) -> Float {
+    let length = case.length();
+    let plain = || Some(plain(&SHOWN.ratio(&length))?.into());
+    let value = enclosed(formula, &length).or_else(plain);
+    value.unwrap_or_else(|| Float::with_val(SHOWN.bits, Special::Nan))
 }
 
 /// The value at λ, whatever cancels in it; `None` where it may be 0 and is not certainly.
@@ -58,12 +68,14 @@ fn enclosed(expr: &Expr, lambda: &Rational) -> Option<Float> {
 }
 
 /// Six significant digits, without an exponent where that is short.
-pub(crate) fn decimal(x: &Float) -> String {
+#[must_use]
+pub fn decimal(x: &Float) -> String {
     decimal_of(x, DIGITS)
 }
 
-/// So many significant digits.
-pub(crate) fn decimal_of(x: &Float, digits: usize) -> String {
+/// So many significant digits, without an exponent where that is short.
+#[must_use]
+pub fn decimal_of(x: &Float, digits: usize) -> String {
     let (negative, digits, exponent) = x.to_sign_string_exp(10, Some(digits));
     // The value is 0.digits · 10^exponent; 0, NaN and infinities have no exponent.
     let Some(exponent) = exponent else {
@@ -87,7 +99,7 @@ pub(crate) fn decimal_of(x: &Float, digits: usize) -> String {
 }
 
 /// A rational number as it is, or nearly where that takes too many digits.
-pub(crate) fn rational(q: &Rational) -> String {
+pub(super) fn rational(q: &Rational) -> String {
     let text = q.to_string();
     if text.len() <= LONGEST {
         return text;
@@ -96,7 +108,7 @@ pub(crate) fn rational(q: &Rational) -> String {
 }
 
 /// "refuted at lambda = 1/3: value in […]".
-pub(crate) fn outcome(outcome: &Outcome) -> String {
+pub(super) fn outcome(outcome: &Outcome) -> String {
     match outcome {
         Outcome::Proved => "proved".into(),
         Outcome::Refuted { witness, value } => {
@@ -110,45 +122,5 @@ pub(crate) fn outcome(outcome: &Outcome) -> String {
             format!("undecided near lambda = {}", rational(near))
         }
         Outcome::Undecided { near: None } => "undecided".into(),
-    }
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn decimals_have_six_digits() {
-        for (text, written) in [
-            ("0.130613993", "0.130614"),
-            ("-0.000123456789", "-0.000123457"),
-            ("0.0000123456789", "1.23457e-5"),
-            ("50", "50.0000"),
-            ("123456", "123456"),
-            ("1234567", "1.23457e6"),
-            ("-1e400", "-1.00000e400"),
-            ("0", "0"),
-            ("nan", "NaN"),
-            ("-inf", "-inf"),
-        ] {
-            let x = Float::with_val(128, Float::parse(text).unwrap());
-            assert_eq!(decimal(&x), written);
-        }
-    }
-
-    #[test]
-    fn values_are_right_however_much_cancels() {
-        let expr: Expr = "1 - (1 + lambda)*exp(-lambda)".parse().unwrap();
-        let tiny = volver::symbolic::parse_number("1e-400").unwrap();
-        assert_eq!(decimal(&enclosed(&expr, &tiny).unwrap()), "5.00000e-801");
-        let zero: Expr = "sin(lambda)^2 + cos(lambda)^2 - 1".parse().unwrap();
-        assert!(enclosed(&zero, &tiny).is_none());
-    }
-
-    #[test]
-    fn long_fractions_are_shortened() {
-        assert_eq!(rational(&Rational::from((1, 3))), "1/3");
-        let long = Rational::from((1, 1_000_000_007)).square();
-        assert_eq!(rational(&Rational::from(&long + 1)), "about 1.00000");
     }
 }

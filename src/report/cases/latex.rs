@@ -1,17 +1,18 @@
 //! The formulas of a case in LaTeX.
 
-use crate::cli::case::Loaded;
+use super::Derived;
+use crate::case::Case;
+use crate::symbolic::Expr;
 use std::fmt::Write;
-use volver::case::Case;
-use volver::symbolic::Expr;
 
-/// One `align*`; C and I have the channel's name below them where there are several.
-pub(super) fn render(loaded: &Loaded) -> String {
+/// The formulas of a case in one `align*`; C and I have the channel's name below them where there are several.
+#[must_use]
+pub fn latex(derived: &Derived) -> String {
     let mut lines = Vec::new();
     let mut add = |left: String, right: &Expr| {
         lines.push(format!("  {left} &= {}", right.to_latex()));
     };
-    if let Some(case) = loaded.cases.first() {
+    if let Some(case) = derived.cases.first() {
         let formulas = case.case.formulas();
         add("D".into(), &Expr::number(case.case.length()));
         add(r"s(\lambda)".into(), &formulas.field);
@@ -20,9 +21,9 @@ pub(super) fn render(loaded: &Loaded) -> String {
             add(r"t(\lambda)".into(), depth);
         }
     }
-    for case in &loaded.cases {
+    for case in &derived.cases {
         let formulas = case.case.formulas();
-        let below = match (&case.channel, &loaded.cases[..]) {
+        let below = match (&case.channel, &derived.cases[..]) {
             (Some(channel), [_, _, ..]) => format!(r"_{{\text{{{channel}}}}}"),
             _ => String::new(),
         };
@@ -36,9 +37,9 @@ pub(super) fn render(loaded: &Loaded) -> String {
     let _ = writeln!(
         text,
         "% {}, for the package amsmath",
-        loaded.description.name
+        derived.description.name
     );
-    if loaded.cases.iter().any(|case| !case.has_closed_form()) {
+    if derived.cases.iter().any(|case| !case.has_closed_form()) {
         let _ = writeln!(
             text,
             "% no closed form of the optical depth and the radiance"

@@ -1,8 +1,8 @@
 //! What theory expects of some methods on a case, and the theorems behind it.
 
-use volver::case::Case;
-use volver::case::manufacture::Manufactured;
-use volver::method::{Expected, Method, expected};
+use crate::case::Case;
+use crate::case::manufacture::Manufactured;
+use crate::method::{Expected, Method, expected};
 
 /// Methods that say the most with the fewest lines: `volver study` takes all of them.
 const METHODS: [&str; 7] = [
@@ -16,14 +16,14 @@ const METHODS: [&str; 7] = [
 ];
 
 /// A method's name, the order expected of it, and the theorem behind that.
-pub(crate) struct Order {
-    pub(crate) method: &'static str,
-    pub(crate) expected: String,
-    pub(crate) theorem: Option<&'static str>,
+pub(super) struct Order {
+    pub(super) method: &'static str,
+    pub(super) expected: String,
+    pub(super) theorem: Option<&'static str>,
 }
 
 /// What theory expects of each of the methods on the case.
-pub(crate) fn orders(case: &Manufactured) -> Vec<Order> {
+pub(super) fn orders(case: &Manufactured) -> Vec<Order> {
     let structure = case.case.structure();
     let methods = METHODS
         .iter()
@@ -39,16 +39,4 @@ pub(crate) fn orders(case: &Manufactured) -> Vec<Order> {
         theorem: method.theorem(&structure).map(|theorem| theorem.name),
     };
     methods.map(order).collect()
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn all_methods_are_known() {
-        for name in METHODS {
-            assert!(name.parse::<Method>().is_ok(), "{name}");
-        }
-    }
 }

@@ -1,23 +1,15 @@
 //! Cases as one JSON document.
 
 use super::orders::orders;
-use super::{Loaded, value};
+use super::{Derived, value};
+use crate::case::Case;
+use crate::case::manufacture::{Check, Manufactured, Outcome, Statement};
+use crate::convergence::serialize_float;
+use crate::render::ReportError;
+use crate::symbolic::Expr;
 use rug::float::Round;
 use rug::{Float, Rational};
 use serde::{Serialize, Serializer};
-use volver::case::Case;
-use volver::case::manufacture::{Check, Manufactured, Outcome, Statement};
-use volver::convergence::serialize_float;
-use volver::symbolic::Expr;
-
-/// What the help says of the document.
-pub(crate) const HELP: &str = "\
-JSON: volver (its version) and cases, an object a channel: name, channel, title,
-tags, length, formulas (field, extinction, emission, optical_depth, radiance, and
-extinction_along and emission_along of lambda), optical_depth and radiance at the
-far end, checks (statement, claim, outcome, at, value), closed_form, proved,
-suits_kernels, degenerate, breaks (part of the length, powers in extinction and
-source), orders (method, order, theorem). Exact numbers are text, as in \"1/3\"; a value below 1e-300 is a string.";
 
 #[derive(Serialize)]
 struct Document<'a> {
@@ -91,25 +83,30 @@ struct BreakObject {
 }
 
 /// All channels of all cases, indented, with a newline at the end.
-pub(crate) fn render<'a>(cases: impl Iterator<Item = &'a Loaded>) -> serde_json::Result<String> {
-    let objects =
-        cases.flat_map(|loaded| loaded.cases.iter().map(move |case| object(loaded, case)));
+///
+/// # Errors
+/// [`ReportError::Json`], which no case is known to cause.
+pub fn json(derived: &[Derived]) -> Result<String, ReportError> {
+    let objects = derived.iter().flat_map(|derived| {
+        let cases = derived.cases.iter();
+        cases.map(move |case| object(derived, case))
+    });
     let document = Document {
         volver: env!("CARGO_PKG_VERSION"),
         cases: objects.collect(),
     };
-    serde_json::to_string_pretty(&document).map(|text| text + "\n")
+    Ok(serde_json::to_string_pretty(&document)? + "\n")
 }
 
-fn object<'a>(loaded: &'a Loaded, case: &'a Manufactured) -> Object<'a> {
+fn object<'a>(derived: &'a Derived, case: &'a Manufactured) -> Object<'a> {
     let formulas = case.case.formulas();
     let exact = |q: &Option<Rational>| q.as_ref().map(Rational::to_string);
     let breaks = case.case.structure().breaks;
     Object {
         name: case.case.name(),
         channel: case.channel.as_deref(),
-        title: &loaded.description.title,
-        tags: &loaded.description.tags,
+        title: &derived.description.title,
+        tags: &derived.description.tags,
         length: case.case.length().to_string(),
         formulas: Formulas {
             field: formulas.field.to_string(),
@@ -147,7 +144,7 @@ fn object<'a>(loaded: &'a Loaded, case: &'a Manufactured) -> Object<'a> {
 }
 
 #[expect(clippy::ref_option, reason = "serde passes the field")]
-pub(crate) fn serialize_optional<S: Serializer>(
+pub(in super::super) fn serialize_optional<S: Serializer>(
     x: &Option<Float>,
     serializer: S,
 ) -> Result<S::Ok, S::Error> {

@@ -1,13 +1,8 @@
 //! What became of the cases as one JSON document.
 
-use super::outcome::Proof;
+use super::Proof;
+use crate::render::ReportError;
 use serde::Serialize;
-
-/// What the help says of the document.
-pub(super) const HELP: &str = "\
-JSON: volver (its version) and proofs, an object a case: case, file, theorems (as
-Coq calls them in the file), outcome (proved, failed, not checked, not stated) and
-reason, which is Coq's message where the proof failed.";
 
 #[derive(Serialize)]
 struct Document<'a> {
@@ -37,10 +32,13 @@ impl<'a> From<&'a Proof> for Object<'a> {
 }
 
 /// All cases, indented, with a newline at the end.
-pub(super) fn render(proofs: &[Proof]) -> serde_json::Result<String> {
+///
+/// # Errors
+/// [`ReportError::Json`], which no case is known to cause.
+pub fn json(proofs: &[Proof]) -> Result<String, ReportError> {
     let document = Document {
         volver: env!("CARGO_PKG_VERSION"),
         proofs: proofs.iter().map(Object::from).collect(),
     };
-    serde_json::to_string_pretty(&document).map(|text| text + "\n")
+    Ok(serde_json::to_string_pretty(&document)? + "\n")
 }

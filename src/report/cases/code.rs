@@ -1,8 +1,8 @@
 //! The functions of a case as source code.
 
-use crate::cli::case::Loaded;
-use volver::symbolic::code::{Definition, Language, source};
-use volver::symbolic::{CompileError, Expr, Program};
+use super::Derived;
+use crate::symbolic::code::{Definition, Language, source};
+use crate::symbolic::{CompileError, Expr, Program};
 
 /// A function to be: name, comment and program.
 struct Wanted {
@@ -18,20 +18,24 @@ impl Wanted {
     }
 }
 
-/// A source file with the length and all functions.
-pub(super) fn render(loaded: &Loaded, language: Language) -> Result<String, CompileError> {
-    let description = &loaded.description;
+/// A source file with the length and all functions: field, extinction and, where there is a closed form, optical depth;
+/// emission and radiance of every channel.
+///
+/// # Errors
+/// [`CompileError`] where a formula is no program.
+pub fn code(derived: &Derived, language: Language) -> Result<String, CompileError> {
+    let description = &derived.description;
     let mut head = description.name.clone();
     if !description.title.is_empty() {
         head = format!("{head}: {}", description.title);
     }
     let version = env!("CARGO_PKG_VERSION");
     head = format!("{head}\nWritten by volver {version}. 0 <= lambda <= LENGTH.");
-    if loaded.cases.iter().any(|case| !case.has_closed_form()) {
+    if derived.cases.iter().any(|case| !case.has_closed_form()) {
         head += "\nThe optical depth and the radiance have no closed form: there is no function of them.";
     }
     let mut wanted = Vec::new();
-    if let Some(case) = loaded.cases.first() {
+    if let Some(case) = derived.cases.first() {
         let formulas = case.case.formulas();
         for (name, doc, of, input) in [
             ("field", "Field s at lambda.", &formulas.field, "lambda"),
@@ -49,9 +53,9 @@ pub(super) fn render(loaded: &Loaded, language: Language) -> Result<String, Comp
             wanted.push(Wanted::new("optical_depth".into(), doc, depth, "lambda")?);
         }
     }
-    for case in &loaded.cases {
+    for case in &derived.cases {
         let formulas = case.case.formulas();
-        let (suffix, of_channel) = match (&case.channel, &loaded.cases[..]) {
+        let (suffix, of_channel) = match (&case.channel, &derived.cases[..]) {
             (Some(channel), [_, _, ..]) => (format!("_{channel}"), format!(", {channel}")),
             _ => (String::new(), String::new()),
         };

@@ -1,12 +1,12 @@
 //! Reference values as one JSON document.
 
-use super::{Found, source_name};
-use crate::cli::case::json::serialize_optional;
-use crate::cli::case::value;
+use super::{Found, source};
+use crate::case::Case;
+use crate::convergence::serialize_float;
+use crate::render::ReportError;
+use crate::report::cases::{decimal_of, serialize_optional};
 use rug::Float;
 use serde::Serialize;
-use volver::case::Case;
-use volver::convergence::serialize_float;
 
 #[derive(Serialize)]
 struct Document<'a> {
@@ -33,12 +33,15 @@ struct Object<'a> {
 }
 
 /// All channels, indented, with a newline at the end.
-pub(super) fn render(found: &[Found<'_>], digits: u32) -> serde_json::Result<String> {
+///
+/// # Errors
+/// [`ReportError::Json`], which no value is known to cause.
+pub fn json(found: &[Found<'_>], digits: u32) -> Result<String, ReportError> {
     let document = Document {
         volver: env!("CARGO_PKG_VERSION"),
         references: found.iter().map(|found| object(found, digits)).collect(),
     };
-    serde_json::to_string_pretty(&document).map(|text| text + "\n")
+    Ok(serde_json::to_string_pretty(&document)? + "\n")
 }
 
 fn object<'a>(found: &'a Found<'_>, digits: u32) -> Object<'a> {
@@ -46,11 +49,11 @@ fn object<'a>(found: &'a Found<'_>, digits: u32) -> Object<'a> {
     Object {
         name: found.case.case.name(),
         channel: found.case.channel.as_deref(),
-        radiance: value::decimal_of(&reference.value, digits as usize),
+        radiance: decimal_of(&reference.value, digits as usize),
         asked: digits,
         believed: reference.digits(),
         error: reference.error.clone(),
-        source: source_name(reference.source),
+        source: source(reference.source),
         panels: reference.work.panels,
         points: reference.work.points,
         evaluations: reference.work.evaluations,
