@@ -6,6 +6,7 @@
 //!
 //! | builder | what |
 //! |---|---|
+//! | [`plots`] | curves of what was measured |
 //! | [`reproduce`] | the paper's tables, measured again |
 //! | [`nonsmooth`] | the table of jumps and kinks |
 //! | [`study`] | a study of errors and their parts |
@@ -16,15 +17,16 @@
 //! | [`comparison`] | several reports on one page, what differs first |
 
 pub mod comparison;
-#[cfg(test)]
-mod fixture;
 pub mod nonsmooth;
 pub mod plan;
 pub mod plots;
 pub mod reproduce;
 pub mod stress;
 pub mod study;
-pub mod svg;
+/// Where plots were built.
+pub mod svg {
+    pub use super::plots;
+}
 pub mod text;
 mod tone;
 pub mod tradeoff;

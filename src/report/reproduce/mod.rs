@@ -8,7 +8,7 @@ mod words;
 pub use group::{Group, Row, groups};
 pub use json::json;
 
-use super::svg::plots;
+use super::plots;
 use super::tone::counts;
 use crate::convergence::Verdict;
 use crate::document::{

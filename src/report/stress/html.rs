@@ -1,10 +1,12 @@
 //! The tables as a page: their cells are coloured as the heat map's fields.
 
 use super::Grid;
-use super::heat_map::MOST;
 use super::words::{FIGURES, accusation, figure, occurring, omissions};
 use crate::document::{self, About, Block, Column, Document, Fact, Section, Table, Tone};
 use crate::study::stress::{Cell, Digits, GROUPS};
+
+/// Digits of the darkest colour.
+const MOST: f64 = 16.0;
 
 /// What [`markdown`](super::markdown()) says, with tables that sort.
 #[must_use]
@@ -35,7 +37,9 @@ pub fn page(cells: &[Cell], about: &About) -> Document {
     }
     for method in &grid.methods {
         let mut section = Section::new(*method, *method);
-        section.blocks.push(Block::Table(table(&grid, method)));
+        section
+            .blocks
+            .push(Block::Table(table(&grid, method).named("stress")));
         page.sections.push(section);
     }
     page.sections.push(words(cells));

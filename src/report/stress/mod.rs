@@ -1,13 +1,11 @@
 //! The extremes: for a terminal, as a document with a heat map, for programs.
 
-mod heat_map;
 mod html;
 mod json;
 mod markdown;
 mod text;
 mod words;
 
-pub use heat_map::heat_map;
 pub use html::page;
 pub use json::json;
 pub use markdown::markdown;
@@ -16,7 +14,7 @@ pub use text::text;
 use super::ReportError;
 use crate::document::About;
 use crate::render::html::place;
-use crate::render::write_files;
+use crate::render::{svg, write_files};
 use crate::study::stress::Cell;
 use std::path::{Path, PathBuf};
 
@@ -63,12 +61,12 @@ impl<'a> Grid<'a> {
 /// # Errors
 /// [`ReportError::Directory`] or [`ReportError::File`] with the path and the system's reason.
 pub fn write(dir: &Path, cells: &[Cell], about: &About) -> Result<Vec<PathBuf>, ReportError> {
-    let files = [
-        (dir.join("stress.svg"), heat_map(cells)?),
-        (dir.join("stress.json"), json(cells)?),
-        (dir.join("stress.md"), markdown(cells)),
-    ];
+    let page = page(cells, about);
+    let maps = svg::files(&page).into_iter();
+    let mut files: Vec<(PathBuf, String)> = maps.map(|(file, map)| (dir.join(file), map)).collect();
+    files.push((dir.join("stress.json"), json(cells)?));
+    files.push((dir.join("stress.md"), markdown(cells)));
     let mut paths = write_files(dir, files)?;
-    paths.push(place(dir, &page(cells, about))?);
+    paths.push(place(dir, &page)?);
     Ok(paths)
 }

@@ -5,7 +5,7 @@ use super::text::style;
 use super::words::{LEGEND, best, crossing, exponent, order, theory, warnings};
 use crate::convergence::Fit;
 use crate::document::{self, About, Block, Cell, Column, Document, Fact, Section, Table, Tone};
-use crate::report::svg::plots;
+use crate::report::plots;
 use crate::report::tone::{counts, tone};
 use crate::study::sweep::{Line, Results, TOLERANCES};
 use std::f64::consts::LOG10_2;
@@ -82,7 +82,7 @@ fn section(figure: &Figure<'_>) -> Section {
     let id = file.trim_end_matches(".svg");
     if *is_map {
         let mut section = Section::new(id, format!("{case}, {method}: correct digits"));
-        section.blocks.push(Block::Table(map(lines)));
+        section.blocks.push(Block::Table(map(lines).named(id)));
         return section;
     }
     let mut section = Section::new(id, format!("{case}, {method}"));
@@ -92,8 +92,8 @@ fn section(figure: &Figure<'_>) -> Section {
     }
     section.blocks.push(Block::Table(table(lines)));
     section.blocks.extend([Block::Figure(document::Figure::new(
-        "",
-        "",
+        id,
+        format!("{case}, {method}"),
         plots::of_split(lines),
     ))]);
     let remarks = lines.iter().flat_map(|line| {

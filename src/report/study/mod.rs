@@ -18,11 +18,11 @@ pub use latex::latex;
 pub use markdown::markdown;
 pub use text::text;
 
-use super::{ReportError, svg, write_file};
+use super::{ReportError, write_file};
 use crate::document::About;
 use crate::render::html::place;
+use crate::render::svg;
 use crate::study::sweep::Results;
-use names::Figure;
 use std::fs;
 use std::path::{Path, PathBuf};
 
@@ -43,26 +43,14 @@ pub fn write(dir: &Path, results: &Results, about: &About) -> Result<Vec<PathBuf
         paths.push(path);
         Ok(())
     };
-    for Figure {
-        file,
-        case,
-        method,
-        lines,
-        is_map,
-    } in names::figures(results)
-    {
-        let title = format!("{case}, {method}");
-        let figure = if is_map {
-            svg::digits_plot(&title, &lines)?
-        } else {
-            svg::split_plot(&title, &lines)?
-        };
+    let page = page(results, about);
+    for (file, figure) in svg::files(&page) {
         put(&file, &figure)?;
     }
     put("study.csv", &csv(results)?)?;
     put("study.json", &json(results)?)?;
     put("study.tex", &latex(results))?;
     put("study.md", &markdown(results))?;
-    paths.push(place(dir, &page(results, about))?);
+    paths.push(place(dir, &page)?);
     Ok(paths)
 }

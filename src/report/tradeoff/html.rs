@@ -1,6 +1,6 @@
 //! The report as a page.
 
-use super::words::{error, goal, model, relative, states, unreached, usual, way};
+use super::words::{error, figure_file, goal, model, relative, states, unreached, usual, way};
 use crate::document::{
     self, About, Axis, Block, Cell, Column, Document, Fact, Plot, Point, Section, Series, Table,
 };
@@ -31,8 +31,10 @@ pub fn page(results: &Results, about: &About) -> Document {
     }
     run.blocks.push(Block::Table(fronts(results)));
     page.sections.push(run);
-    for case in &results.cases {
-        page.sections.push(section(case, results.cost));
+    for (index, case) in results.cases.iter().enumerate() {
+        let file = figure_file(results, index);
+        let file = file.trim_end_matches(".svg");
+        page.sections.push(section(file, case, results.cost));
     }
     page
 }
@@ -58,15 +60,13 @@ fn fronts(results: &Results) -> Table {
     table
 }
 
-fn section(case: &CaseResults, cost: Cost) -> Section {
+fn section(file: &str, case: &CaseResults, cost: Cost) -> Section {
     let mut section = Section::new(&case.name, &case.name);
     let said = format!("{}; {}.", states(case), relative(case));
     section.blocks.push(Block::Text(said));
-    section.blocks.push(Block::Figure(document::Figure::new(
-        "",
-        "",
-        [plot(case, cost)],
-    )));
+    let title = format!("{}: error against {}", case.name, cost.label());
+    let figure = document::Figure::new(file, title, [plot(case, cost)]);
+    section.blocks.push(Block::Figure(figure));
     section.blocks.push(Block::Table(goals(case, cost)));
     if let Some(unreached) = unreached(&case.goals(cost)) {
         section.blocks.push(Block::Text(format!("{unreached}.")));

@@ -17,10 +17,10 @@ pub use latex::latex;
 pub use markdown::markdown;
 pub use text::text;
 
-use super::{ReportError, svg};
+use super::ReportError;
 use crate::document::About;
 use crate::render::html::place;
-use crate::render::write_files;
+use crate::render::{svg, write_files};
 use crate::study::tradeoff::Results;
 use std::path::{Path, PathBuf};
 
@@ -30,18 +30,16 @@ use std::path::{Path, PathBuf};
 /// # Errors
 /// [`ReportError::Directory`] or [`ReportError::File`] with the path and the system's reason.
 pub fn write(dir: &Path, results: &Results, about: &About) -> Result<Vec<PathBuf>, ReportError> {
-    let mut files = Vec::new();
-    for (index, case) in results.cases.iter().enumerate() {
-        files.push((
-            dir.join(words::figure_file(results, index)),
-            svg::tradeoff_plot(case, results.cost)?,
-        ));
-    }
+    let page = page(results, about);
+    let figures = svg::files(&page).into_iter();
+    let mut files: Vec<(PathBuf, String)> = figures
+        .map(|(file, figure)| (dir.join(file), figure))
+        .collect();
     files.push((dir.join("tradeoff.csv"), csv(results)?));
     files.push((dir.join("tradeoff.json"), json(results)?));
     files.push((dir.join("tradeoff.tex"), latex(results)));
     files.push((dir.join("tradeoff.md"), markdown(results)));
     let mut paths = write_files(dir, files)?;
-    paths.push(place(dir, &page(results, about))?);
+    paths.push(place(dir, &page)?);
     Ok(paths)
 }

@@ -4,7 +4,6 @@ use super::words::{error, figure_file, states, time};
 use super::{csv, latex, markdown, text};
 use crate::real::FormatName;
 use crate::real::counted::{Counts, Kind};
-use crate::report::svg::tradeoff_plot;
 use crate::study::sweep::Header;
 use crate::study::tradeoff::{Cost, Outcome, Point, Results, Timing, Unit};
 use rug::Float;
@@ -71,21 +70,9 @@ fn what_has_no_logarithm_is_named() {
         states(case),
         "5 runs: 2 with an error, 1 exact, 1 not finite, 1 refused"
     );
-    let plot = tradeoff_plot(case, Cost::Modelled).unwrap();
-    assert!(plot.contains("not drawn: 1 exact, 1 not finite, 1 refused"));
-    assert!(plot.contains("<title>a_b &amp; &lt;c&gt;: error against modelled time, ns</title>"));
-    assert!(!plot.contains("NaN") && !plot.contains("inf"));
     assert_eq!(error(&case.units[0].points[2]), "exact");
     assert_eq!(error(&case.units[0].points[1]), "not-finite");
     assert_eq!(figure_file(&results, 0), "tradeoff-a-b-c.svg");
-}
-
-#[test]
-fn a_case_with_nothing_to_draw_says_so() {
-    let results = results("still", &[Outcome::Exact, Outcome::NotFinite]);
-    let plot = tradeoff_plot(&results.cases[0], Cost::Modelled).unwrap();
-    assert!(plot.contains("no finite error above 0 to draw"));
-    assert!(plot.contains("n 1, exact"));
 }
 
 #[test]

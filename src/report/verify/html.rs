@@ -1,13 +1,13 @@
 //! The verification as a page.
 
-use super::is_drawn;
 use super::text::style;
 use super::words::{
     axis, conclusion, failure, failures, fingerprint, floor, label, order, theory, window,
 };
+use super::{is_drawn, plot_name};
 use crate::document::{self, About, Block, Cell, Column, Document, Fact, Section, Table, Tone};
 use crate::method::Expected;
-use crate::report::svg::plots;
+use crate::report::plots;
 use crate::report::tone::tone;
 use crate::study::verify::{Conclusion, Line, Measured, Verification};
 
@@ -22,11 +22,15 @@ pub fn page(verification: &Verification, about: &About) -> Document {
     let plots: Vec<Block> = drawn
         .filter_map(|line| match &line.measured {
             Measured::Fitted { fit, samples } => {
-                Some(plots::of_convergence(samples, fit, &line.name))
+                Some((line, plots::of_convergence(samples, fit, &line.name)))
             }
             Measured::Scattered(_) | Measured::Nothing => None,
         })
-        .map(|plot| Block::Figure(document::Figure::new("", "", [plot])))
+        .map(|(line, plot)| {
+            let file = plot_name(line);
+            let file = file.trim_end_matches(".svg");
+            Block::Figure(document::Figure::new(file, &line.name, [plot]))
+        })
         .collect();
     if !plots.is_empty() {
         let mut section = Section::new("plots", "Errors against segments");

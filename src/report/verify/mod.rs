@@ -13,10 +13,10 @@ pub use junit::junit;
 pub use markdown::markdown;
 pub use text::{closing, heading, row};
 
-use super::{ReportError, svg};
+use super::ReportError;
 use crate::document::About;
 use crate::render::html::place;
-use crate::render::write_files;
+use crate::render::{svg, write_files};
 use crate::study::verify::{Line, Measured, Verification};
 use std::path::{Path, PathBuf};
 
@@ -30,29 +30,17 @@ pub fn write(
     verification: &Verification,
     about: &About,
 ) -> Result<Vec<PathBuf>, ReportError> {
-    let mut files = Vec::new();
-    for line in &verification.lines {
-        if let Some(plot) = plot(line)? {
-            files.push((dir.join(plot_name(line)), plot));
-        }
-    }
+    let page = page(verification, about);
+    let figures = svg::files(&page).into_iter();
+    let mut files: Vec<(PathBuf, String)> = figures
+        .map(|(file, figure)| (dir.join(file), figure))
+        .collect();
     files.push((dir.join("verify.json"), json(verification)?));
     files.push((dir.join("verify.xml"), junit(verification)));
     files.push((dir.join("verify.md"), markdown(verification)));
     let mut paths = write_files(dir, files)?;
-    paths.push(place(dir, &page(verification, about))?);
+    paths.push(place(dir, &page)?);
     Ok(paths)
-}
-
-/// The convergence of one channel, where it has errors to draw.
-fn plot(line: &Line) -> Result<Option<String>, ReportError> {
-    let Measured::Fitted { fit, samples } = &line.measured else {
-        return Ok(None);
-    };
-    if !is_drawn(line) {
-        return Ok(None);
-    }
-    svg::convergence_plot(samples, fit, &line.name).map(Some)
 }
 
 /// Whether there is any error that logarithmic axes can show.
