@@ -6,6 +6,7 @@
 //!
 //! | builder | what |
 //! |---|---|
+//! | [`plots`] | curves of what was measured |
 //! | [`reproduce`] | the paper's tables, measured again |
 //! | [`nonsmooth`] | the table of jumps and kinks |
 //! | [`study`] | a study of errors and their parts |
@@ -23,10 +24,9 @@
 pub mod cases;
 #[cfg(feature = "studies")]
 pub mod comparison;
+mod counts;
 #[cfg(feature = "studies")]
 pub mod fit;
-#[cfg(test)]
-mod fixture;
 #[cfg(feature = "studies")]
 mod names;
 #[cfg(feature = "studies")]
@@ -44,10 +44,6 @@ pub mod reproduce;
 pub mod stress;
 #[cfg(feature = "studies")]
 pub mod study;
-#[cfg(feature = "studies")]
-pub mod svg;
-pub mod text;
-mod tone;
 #[cfg(feature = "studies")]
 pub mod tradeoff;
 pub mod verify;

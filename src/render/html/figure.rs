@@ -12,13 +12,13 @@ pub(super) fn figure(plot: &Plot) -> Markup {
                 Some(scales) => {
                     ul.legend {
                         @for entry in legend(plot) {
-                            li.(entry.class) data-series=(entry.index) { (sample(&entry.sample)) span { (entry.name) } }
+                            li.(entry.class) data-series=[entry.index] { (sample(&entry.sample)) span { (entry.words) } }
                         }
                     }
-                    @let key = key(&[(plot, &scales)]);
+                    @let key = key(&[(plot, scales)]);
                     @if !key.is_empty() {
                         ul.key {
-                            @for (sign, words) in key { li { (sample(&sign)) (words) } }
+                            @for entry in key { li { (sample(&entry.sample)) (entry.words) } }
                         }
                     }
                     (image(plot, &scales))

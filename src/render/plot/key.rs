@@ -14,24 +14,30 @@ pub(in crate::render) const SAMPLE: (f64, f64) = (26.0, 14.0);
 const MIDDLE: (f64, f64) = (13.0, 7.0);
 const ACROSS: &str = "M1 7H25";
 
-/// A series as legends have it.
-pub(in crate::render) struct Entry<'p> {
-    pub(in crate::render) index: usize,
+/// A sample with its words.
+pub(in crate::render) struct Entry {
+    /// The place of its series in the plot, if it is one's.
+    pub(in crate::render) index: Option<usize>,
+    /// The class of its colour.
     pub(in crate::render) class: String,
     pub(in crate::render) sample: Markup,
-    pub(in crate::render) name: &'p str,
+    pub(in crate::render) words: String,
 }
 
 /// The series that have a name.
-pub(in crate::render) fn legend(plot: &Plot) -> impl Iterator<Item = Entry<'_>> {
-    let all = plot.series.iter().enumerate();
-    all.filter(|(_, series)| !series.name.is_empty())
-        .map(|(index, series)| Entry {
-            index,
-            class: class(index, series),
-            sample: sample(index, series),
-            name: &series.name,
-        })
+pub(in crate::render) fn legend(plot: &Plot) -> Vec<Entry> {
+    let named = plot
+        .series
+        .iter()
+        .enumerate()
+        .filter(|(_, series)| !series.name.is_empty());
+    let entry = |(index, series): (usize, &Series)| Entry {
+        index: Some(index),
+        class: class(index, series),
+        sample: sample(index, series),
+        words: series.name.clone(),
+    };
+    named.map(entry).collect()
 }
 
 /// What a plot is about that has nothing to draw: its series and what its lines say.
@@ -63,7 +69,7 @@ fn sample(index: usize, series: &Series) -> Markup {
 }
 
 /// What the kinds of marks and lines that occur mean, each once, with samples.
-pub(in crate::render) fn key(plots: &[(&Plot, &Scales)]) -> Vec<(Markup, String)> {
+pub(in crate::render) fn key(plots: &[(&Plot, Scales)]) -> Vec<Entry> {
     let mut found: Vec<&(Sign, String)> = Vec::new();
     for (plot, scales) in plots {
         for entry in &plot.key {
@@ -72,7 +78,12 @@ pub(in crate::render) fn key(plots: &[(&Plot, &Scales)]) -> Vec<(Markup, String)
             }
         }
     }
-    let entry = |(sign, words): &(Sign, String)| (of_sign(*sign), words.clone());
+    let entry = |(sign, words): &(Sign, String)| Entry {
+        index: None,
+        class: "key".into(),
+        sample: of_sign(*sign),
+        words: words.clone(),
+    };
     found.into_iter().map(entry).collect()
 }
 

@@ -11,7 +11,7 @@ mod ticks;
 
 pub(super) use axes::{HEIGHT, Scales, WIDTH};
 pub(super) use curve::{Reader, drawing};
-pub(super) use key::{SAMPLE, key, legend, names};
+pub(super) use key::{Entry, SAMPLE, key, legend, names};
 pub(super) use scale::Scale;
 pub(super) use ticks::ticks;
 

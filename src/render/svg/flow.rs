@@ -1,26 +1,19 @@
 //! Samples with their names, in lines that wrap.
 
-use super::sheet::{BODY, MARGIN, at, round, text_width};
-use crate::render::plot::SAMPLE;
+use super::sheet::{BODY, MARGIN, at, round};
+use crate::render::plot::{Entry, SAMPLE};
 use maud::{Markup, html};
 
 const LINE: f64 = 18.0;
 /// Between a sample and its name.
 const GAP: f64 = 6.0;
 
-/// A sample, the class of its colour, and its name.
-pub(super) struct Entry {
-    pub(super) class: String,
-    pub(super) sample: Markup,
-    pub(super) name: String,
-}
-
 /// Entries in their places below a place, and the height that they take.
 pub(super) fn flow(entries: &[Entry], (left, top): (f64, f64), width: f64) -> (Markup, f64) {
     let (mut x, mut y) = (0.0, 0.0);
     let mut places = Vec::new();
     for entry in entries {
-        let own = SAMPLE.0 + GAP + text_width(&entry.name, BODY.size);
+        let own = SAMPLE.0 + GAP + BODY.width(&entry.words);
         if x > 0.0 && x + own > width {
             (x, y) = (0.0, y + LINE);
         }
@@ -31,7 +24,7 @@ pub(super) fn flow(entries: &[Entry], (left, top): (f64, f64), width: f64) -> (M
         @for (entry, place) in entries.iter().zip(places) {
             g.(entry.class) {
                 (at((place.0, place.1 + 2.0), &entry.sample))
-                text x=(round(place.0 + SAMPLE.0 + GAP)) y=(round(place.1 + 13.0)) { (entry.name) }
+                text x=(round(place.0 + SAMPLE.0 + GAP)) y=(round(place.1 + 13.0)) { (entry.words) }
             }
         }
     };

@@ -30,7 +30,7 @@ pub fn files(document: &Document) -> Vec<(String, String)> {
             Block::Figure(drawn) => (&drawn.file, Box::new(|| figure(drawn))),
             Block::Table(table) if table.is_shaded() => (
                 &table.file,
-                Box::new(|| map::map(&maps(&blocks, &table.file))),
+                Box::new(|| map::map(&tables(&blocks, &table.file))),
             ),
             _ => continue,
         };
@@ -47,10 +47,10 @@ fn is_plain(name: &str) -> bool {
     !name.is_empty() && name.chars().all(is_plain)
 }
 
-/// All maps of a file.
-fn maps<'d>(blocks: &[&'d Block], file: &str) -> Vec<&'d Table> {
+/// All tables of a file.
+fn tables<'d>(blocks: &[&'d Block], file: &str) -> Vec<&'d Table> {
     let tables = blocks.iter().filter_map(|block| match block {
-        Block::Table(table) if table.file == file && table.is_shaded() => Some(table),
+        Block::Table(table) if table.file == file => Some(table),
         _ => None,
     });
     tables.collect()

@@ -28,29 +28,22 @@ const OWN: &str = "text { fill: var(--text); font: 12px sans-serif; }
 .bad { fill: var(--bad-ground); stroke: var(--bad); }
 ";
 
-/// The letters of a class.
+/// The letters of a class, and their size.
 #[derive(Clone, Copy)]
-pub(super) struct Letters {
-    pub(super) class: &'static str,
-    pub(super) size: f64,
-}
+pub(super) struct Letters(pub(super) &'static str, pub(super) f64);
 
-pub(super) const CAPTION: Letters = Letters {
-    class: "caption",
-    size: 15.0,
-};
-pub(super) const HEAD: Letters = Letters {
-    class: "head",
-    size: 13.0,
-};
-pub(super) const BODY: Letters = Letters {
-    class: "body",
-    size: 12.0,
-};
+pub(super) const CAPTION: Letters = Letters("caption", 15.0);
+pub(super) const HEAD: Letters = Letters("head", 13.0);
+pub(super) const BODY: Letters = Letters("body", 12.0);
 
 impl Letters {
     pub(super) fn line_height(self) -> f64 {
-        (1.45 * self.size).ceil()
+        (1.45 * self.1).ceil()
+    }
+
+    /// The width that a text takes, about: fonts are the reader's.
+    pub(super) fn width(self, text: &str) -> f64 {
+        text.chars().count() as f64 * self.1 * LETTER
     }
 
     /// The text in lines of this width.
@@ -60,16 +53,11 @@ impl Letters {
             clippy::cast_sign_loss,
             reason = "a few hundred letters"
         )]
-        let columns = (width / (LETTER * self.size)) as usize;
+        let columns = (width / (LETTER * self.1)) as usize;
         let mut lines = wrap(text, columns, "", "");
         lines.retain(|line| !line.is_empty());
         lines
     }
-}
-
-/// The width that a text takes, about: fonts are the reader's.
-pub(super) fn text_width(text: &str, size: f64) -> f64 {
-    text.chars().count() as f64 * size * LETTER
 }
 
 /// A part at a place.
@@ -135,8 +123,8 @@ impl Sheet {
 pub(super) fn written(lines: &[String], (x, y): (f64, f64), letters: Letters) -> Markup {
     html! {
         @for (index, line) in lines.iter().enumerate() {
-            @let below = index as f64 * letters.line_height() + letters.size;
-            text.(letters.class) x=(round(x)) y=(round(y + below)) { (line) }
+            @let below = index as f64 * letters.line_height() + letters.1;
+            text.(letters.0) x=(round(x)) y=(round(y + below)) { (line) }
         }
     }
 }

@@ -50,10 +50,11 @@ fn plot(quantity: &Quantity, channels: &[Manufactured], length: f64, breaks: &[f
     let is_shared = quantity.curves.len() == 1 && channels.len() > 1;
     let curves = quantity.curves.iter().zip(channels).enumerate();
     plot.series = curves
-        .map(|(index, (curve, case))| Series {
-            color: Some(color(is_shared, case.channel.as_deref(), index)),
-            traces: vec![trace(curve, length, scale)],
-            ..Series::marks(name(is_shared, case), [])
+        .map(|(index, (curve, case))| {
+            let (name, color) = look(is_shared, case.channel.as_deref(), index);
+            let mut series = Series::marks(name, []).colored(color);
+            series.traces.push(trace(curve, length, scale));
+            series
         })
         .collect();
     plot.guides = breaks
@@ -67,24 +68,16 @@ fn plot(quantity: &Quantity, channels: &[Manufactured], length: f64, breaks: &[f
     plot
 }
 
-/// A case of one channel needs no name beside the title.
-fn name(is_shared: bool, case: &Manufactured) -> &str {
-    if is_shared {
-        "all channels"
-    } else {
-        case.channel.as_deref().unwrap_or_default()
-    }
-}
-
-/// A channel named after a colour has it.
-fn color(is_shared: bool, name: Option<&str>, index: usize) -> usize {
-    match name {
-        _ if is_shared => SHARED,
+/// The name and the colour of a channel: one named after a colour has it, and a single one needs no name beside the title.
+fn look(is_shared: bool, channel: Option<&str>, index: usize) -> (&str, usize) {
+    let color = match channel {
+        _ if is_shared => return ("all channels", SHARED),
         Some("red") => 4,
         Some("green") => 2,
         Some("blue") => 0,
         _ => index,
-    }
+    };
+    (channel.unwrap_or_default(), color)
 }
 
 /// Pixels a unit of both axes.
