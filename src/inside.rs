@@ -45,9 +45,11 @@ pub mod reference {
 /// Inside [`study`](crate::study).
 pub mod study {
     pub use crate::study::run::{exact, exact_radiance};
+    #[cfg(feature = "studies")]
     pub use crate::study::tradeoff::calibration::solve::costs;
 
     /// Inside [`plan`](crate::study::plan).
+    #[cfg(feature = "studies")]
     pub mod plan {
         pub use crate::study::plan::candidates::{Candidate, Forest, Node};
         pub use crate::study::plan::certify::{Bounds, bounds, nearest_polynomial};

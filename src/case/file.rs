@@ -24,7 +24,9 @@ mod table;
 mod text;
 
 pub use error::FileError;
+#[cfg(feature = "studies")]
 pub(crate) use message::said;
+#[cfg(feature = "studies")]
 pub(crate) use nesting::{MAX_DOTS, deepest_dot};
 pub use problem::FileProblem;
 pub use recipe::Recipe;

@@ -30,6 +30,7 @@ pub use limit::{Limit, Part};
 pub use name::MethodNameError;
 pub use nested::Nested;
 pub use outer::{Outer, Transmittances};
+#[cfg(feature = "studies")]
 pub(crate) use preintegrated::attenuated_integral;
 pub use preintegrated::{
     Color, Integration, Interpolant, LastSegment, Opacity, Preintegrated, composite,

@@ -24,6 +24,7 @@
 pub mod cases;
 #[cfg(feature = "studies")]
 pub mod comparison;
+#[cfg(feature = "studies")]
 mod counts;
 #[cfg(feature = "studies")]
 pub mod fit;
@@ -48,7 +49,8 @@ pub mod study;
 pub mod tradeoff;
 pub mod verify;
 
+pub use crate::render::ReportError;
 #[cfg(feature = "studies")]
-pub use crate::render::{ReportError, check_file, prepare_directory, write_file};
+pub use crate::render::{check_file, prepare_directory, write_file};
 #[cfg(feature = "studies")]
 pub use reproduce::{Group, Row, groups};

@@ -198,6 +198,7 @@ impl Run {
     }
 
     /// Runs of the same methods in the same format on levels of their own, as one.
+    #[cfg(feature = "studies")]
     pub(super) fn joined<'a>(
         runs: impl Iterator<Item = &'a Run>,
         methods: usize,

@@ -15,8 +15,10 @@ use crate::document::{
     self, About, Block, Cell, Column, Document, Fact, Figure, Medium, Section, Table, Tone,
 };
 use crate::method::Expected;
+#[cfg(feature = "studies")]
 use crate::render::{ReportError, write_document};
 use crate::study::verify::{Conclusion, Line, Measured, Standing, Verification};
+#[cfg(feature = "studies")]
 use std::path::{Path, PathBuf};
 use words::{
     BLIND, SIGNS, axis, conclusion, failure, failures, findings, fingerprint, floor, order, theory,
@@ -69,6 +71,7 @@ pub fn document(verification: &Verification, about: &About) -> Document {
 ///
 /// # Errors
 /// [`ReportError::Directory`] or [`ReportError::File`] with the path and the system's reason.
+#[cfg(feature = "studies")]
 pub fn write(
     dir: &Path,
     verification: &Verification,
