@@ -8,11 +8,13 @@
 //! radiance to any number of digits; [`convergence`] fits the order of accuracy to its errors on a ladder
 //! of n, with an interval and a verdict. A [`kernel`] is somebody else's implementation, put to the same test, and
 //! [`diagnosis`] finds out from its values what it computes; [`assert_order!`] is that test in three lines.
-//! A [`study`] runs many, and [`report`] shows what came out. A [`scene`](mod@scene) is a ray as users have it, and a
-//! [plan](study::plan) the least that it needs.
-//! A [`proof`] says a case to the proof assistant Coq.
+//! A [`study`] runs many; [`report`] makes a [`document`] of what came out, which [`render`] shows in any format. A `scene` is a
+//! ray as users have it, and a plan the least that it needs. A [`proof`] says a case to the proof assistant Coq.
 //! A module uses only those that stand before it: `real`, `symbolic`, `case`, `proof`, `scene`, `quadrature`, `method`, `kernel`,
-//! `reference`, `convergence`, `diagnosis`, `study`, `report`, `assert`.
+//! `reference`, `convergence`, `diagnosis`, `study`, `document`, `render`, `report`, `assert`.
+//!
+//! The feature `studies` has the modules `scene` and all of `study` and `report` but the verification of kernels; the feature
+//! `cli`, on by default, has the program too.
 //!
 //! ```
 //! use volver::case::SineSquared;
@@ -38,16 +40,6 @@
 //! assert_eq!(fit.verdict, Verdict::Confirmed);
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
-// A test may stop at what a library must not; its numbers are often exact.
-#![cfg_attr(
-    test,
-    allow(
-        clippy::unwrap_used,
-        clippy::expect_used,
-        clippy::panic,
-        clippy::float_cmp
-    )
-)]
 
 pub mod assert;
 pub mod case;

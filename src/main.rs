@@ -1,8 +1,5 @@
 //! The command line tool; see `volver --help` and the library's documentation.
 
-// A test may stop at what a program must not.
-#![cfg_attr(test, allow(clippy::unwrap_used))]
-
 mod cli;
 
 use std::process::ExitCode;

@@ -310,3 +310,14 @@ fn nothing_found_has_no_section_of_its_own() {
     assert!(!markdown(&document).contains("Signs"));
     assert_eq!(all.declaration.form, FormKind::Segments);
 }
+
+#[test]
+fn whatever_a_kernel_says_is_text_in_junit() {
+    let mut named = verification(&["vacuum"], "8..64", false);
+    named.declaration.name = "a<b> & \"c\"\u{1b}[31m\u{0}".into();
+    let text = junit(&named);
+    assert!(
+        text.contains("a&lt;b&gt; &amp; &quot;c&quot; [31m "),
+        "{text}"
+    );
+}

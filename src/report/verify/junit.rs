@@ -94,14 +94,3 @@ fn escape(text: &str) -> String {
     }
     escaped
 }
-
-#[cfg(test)]
-mod tests {
-    use super::escape;
-
-    #[test]
-    fn whatever_a_kernel_says_is_text() {
-        let said = "a<b> & \"c\"\u{1b}[31m\u{0}";
-        assert_eq!(escape(said), "a&lt;b&gt; &amp; &quot;c&quot; [31m ");
-    }
-}

@@ -7,8 +7,6 @@
 mod between;
 mod estimate;
 mod file;
-#[cfg(test)]
-pub(crate) mod fixture;
 mod journal;
 mod number;
 mod record;
