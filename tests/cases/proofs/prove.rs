@@ -42,18 +42,24 @@ fn the_files_are_what_the_program_writes() {
     assert_eq!(written, files(&proofs().join("cases")));
 }
 
+/// The first line has these words and no others, in whatever columns.
+fn first_line(words: &'static str) -> impl Predicate<str> {
+    predicate::function(move |text: &str| {
+        let line = text.lines().next().unwrap_or_default();
+        line.split_whitespace().eq(words.split_whitespace())
+    })
+}
+
 #[test]
 fn without_coq_nothing_is_proved() {
     let folder = TempDir::new().unwrap();
     prove(&folder, &["sine-squared", "--coqc", "./no-such-program"])
         .assert()
         .code(1)
-        .stdout(
-            predicate::str::is_match(
-                "^  sine-squared +not checked +./sine_squared.v\n    './no-such-program' does not run: ",
-            )
-            .unwrap(),
-        );
+        .stdout(first_line("sine-squared not checked ./sine_squared.v"))
+        .stdout(predicate::str::contains(
+            "./sine_squared.v\n    './no-such-program' does not run: ",
+        ));
     assert!(folder.path().join("sine_squared.v").exists());
 }
 
@@ -86,7 +92,7 @@ fn coqs_verdict_and_message_are_passed_on() {
     prove(&folder, &["thick", "--coqc", "./coqc"])
         .assert()
         .code(0)
-        .stdout(predicate::str::is_match("^  thick +proved +./thick.v\n$").unwrap());
+        .stdout(first_line("thick proved ./thick.v"));
 
     fs::write(
         &coqc,
