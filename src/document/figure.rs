@@ -110,6 +110,9 @@ pub struct Series {
     /// Which colour of the palette, so that a name has the same colour in all plots; otherwise its place in the plot.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub color: Option<usize>,
+    /// Which shape its marks have; otherwise that of its colour.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub shape: Option<usize>,
     /// Whether a line goes through the points.
     pub line: bool,
     /// The points, in the order of the line.
@@ -126,6 +129,7 @@ impl Series {
         Series {
             name: name.into(),
             color: None,
+            shape: None,
             line: true,
             points: points.into_iter().collect(),
             traces: Vec::new(),
@@ -149,6 +153,15 @@ impl Series {
             ..self
         }
     }
+
+    /// The same series with marks of a shape.
+    #[must_use]
+    pub fn shaped(self, shape: usize) -> Self {
+        Series {
+            shape: Some(shape),
+            ..self
+        }
+    }
 }
 
 /// A point with what is shown where it is pointed at.
@@ -162,6 +175,9 @@ pub struct Point {
     pub y: f64,
     /// The values in words; the name of the series is added.
     pub label: String,
+    /// A few letters beside the mark, such as a number that the legend explains.
+    #[serde(default, skip_serializing_if = "String::is_empty")]
+    pub tag: String,
     /// Filled, not hollow: the order was fitted here, say, or no other method is cheaper.
     #[serde(default)]
     pub filled: bool,
@@ -178,6 +194,7 @@ impl Point {
             x,
             y,
             label: label.into(),
+            tag: String::new(),
             filled: false,
             negative: false,
         }
@@ -188,6 +205,15 @@ impl Point {
     pub fn filled(self) -> Self {
         Point {
             filled: true,
+            ..self
+        }
+    }
+
+    /// The same point with letters beside it.
+    #[must_use]
+    pub fn tagged(self, tag: impl Into<String>) -> Self {
+        Point {
+            tag: tag.into(),
             ..self
         }
     }

@@ -1,6 +1,6 @@
 //! A document inside its own page, and out of it again.
 
-use crate::document::Document;
+use crate::document::{Block, Document, Medium};
 use crate::render::ReportError;
 use serde::{Deserialize, Serialize};
 
@@ -42,12 +42,24 @@ struct Envelope {
 /// The element that holds the page, which a browser does not show.
 pub(super) fn element(page: &Document) -> Result<String, ReportError> {
     let schema = SCHEMA;
+    let page = &shown(page);
     let json = serde_json::to_string(&Written { schema, page })?;
     // In JSON `<` occurs in strings alone, where it may be escaped: no text can end the element.
     Ok(format!(
         "{OPENING}{}{CLOSING}",
         json.replace('<', "\\u003c")
     ))
+}
+
+/// What the page shows: tables for programs and papers have files of their own, and are not compared.
+fn shown(page: &Document) -> Document {
+    let mut page = page.clone();
+    for section in &mut page.sections {
+        let blocks = section.blocks.iter();
+        let blocks = blocks.filter_map(|block| block.shown_in(&[Medium::Written, Medium::Page]));
+        section.blocks = blocks.cloned().collect::<Vec<Block>>();
+    }
+    page
 }
 
 /// The page that a document was made of.

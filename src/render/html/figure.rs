@@ -22,6 +22,7 @@ pub(super) fn figure(plot: &Plot) -> Markup {
                     @for (index, series) in plot.series.iter().enumerate() {
                         (if index == 0 { ": " } else { "; " }) (series.name)
                     }
+                    @for guide in &plot.guides { "; " (guide.label) }
                 },
             }
         }
@@ -51,9 +52,9 @@ fn legend(plot: &Plot) -> Markup {
     }
 }
 
-/// The shape goes with the colour.
+/// The shape goes with the colour, unless the series has its own.
 fn shape(index: usize, series: &Series) -> usize {
-    series.color.unwrap_or(index)
+    series.shape.or(series.color).unwrap_or(index)
 }
 
 fn drawing(plot: &Plot, scales: &Scales) -> Markup {
@@ -81,6 +82,9 @@ fn drawing(plot: &Plot, scales: &Scales) -> Markup {
                         @if let Some(at) = scales.at((point.x, point.y)) {
                             path.mark.filled[point.filled] d=(outline(point, at, shape(index, series), size(index)))
                                 data-x=(format!("{:.2}", at.0)) data-y=(format!("{:.2}", at.1)) data-label=(point.label) {}
+                            @if !point.tag.is_empty() {
+                                text.tag x=(format!("{:.2}", at.0 - 6.0)) y=(format!("{:.2}", at.1 + 13.0)) { (point.tag) }
+                            }
                         }
                     }
                 }

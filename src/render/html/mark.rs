@@ -9,6 +9,21 @@ pub(super) fn size(index: usize) -> f64 {
 }
 
 const RADIUS: f64 = 4.2;
+/// An upright cross, from its left end round.
+const CROSS: [(f64, f64); 12] = [
+    (-1.3, -0.4),
+    (-0.4, -0.4),
+    (-0.4, -1.3),
+    (0.4, -1.3),
+    (0.4, -0.4),
+    (1.3, -0.4),
+    (1.3, 0.4),
+    (0.4, 0.4),
+    (0.4, 1.3),
+    (-0.4, 1.3),
+    (-0.4, 0.4),
+    (-1.3, 0.4),
+];
 
 /// The outline of a mark, as the `d` of a path. Colours are not all that tells series apart.
 pub(super) fn outline(point: &Point, at: (f64, f64), shape: usize, size: f64) -> String {
@@ -16,7 +31,7 @@ pub(super) fn outline(point: &Point, at: (f64, f64), shape: usize, size: f64) ->
     if point.negative {
         return polygon(at, radius, &[(0.0, 1.35), (-1.2, -0.75), (1.2, -0.75)]);
     }
-    match shape % 4 {
+    match shape % 5 {
         0 => circle(at, radius),
         1 => polygon(
             at,
@@ -28,7 +43,8 @@ pub(super) fn outline(point: &Point, at: (f64, f64), shape: usize, size: f64) ->
             radius,
             &[(0.0, -1.35), (1.35, 0.0), (0.0, 1.35), (-1.35, 0.0)],
         ),
-        _ => polygon(at, radius, &[(0.0, -1.35), (1.2, 0.75), (-1.2, 0.75)]),
+        3 => polygon(at, radius, &[(0.0, -1.35), (1.2, 0.75), (-1.2, 0.75)]),
+        _ => polygon(at, radius, &CROSS),
     }
 }
 
