@@ -179,7 +179,7 @@ fn a_merged_page_says_what_differs_and_keeps_all() {
     assert_eq!(commands[0], "command");
     assert!(commands[1].ends_with("--out before") && commands[2].ends_with("--out after"));
 
-    let heading = "sine-squared, trapezoid/trapezoid";
+    let heading = "sine-squared, trapezoid/trapezoid: theory 2";
     let caption = "Orders and roundoff, a row a format";
     let differing = table(&merged, "What differs", &format!("{heading}: {caption}")).unwrap();
     let order = |page: &Document| table(page, heading, caption).unwrap().rows[0][1].clone();

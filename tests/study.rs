@@ -14,6 +14,8 @@ use std::path::Path;
 use std::process::Stdio;
 use std::thread::sleep;
 use std::time::Duration;
+use volver::case::{catalogue, manufacture::manufacture};
+use volver::study::sweep::{Estimate, Sweep};
 
 fn volver(arguments: &[&str]) -> Command {
     let mut command = cargo_bin_cmd!("volver");
@@ -41,12 +43,19 @@ fn study(directory: &Path, more: &[&str]) -> Command {
     command
 }
 
-/// Every file by name, except the page, which has the command.
+/// Every file by name, except the page, and without the line of `study.md` with the command.
 fn files(directory: &Path) -> BTreeMap<String, Vec<u8>> {
     let entries = fs::read_dir(directory).unwrap();
     let file = |entry: fs::DirEntry| {
         let name = entry.file_name().into_string().unwrap();
-        (name, fs::read(entry.path()).unwrap())
+        let mut contents = fs::read(entry.path()).unwrap();
+        if name == "study.md" {
+            let text = String::from_utf8(contents).unwrap();
+            let (before, rest) = text.split_once("- **command**: ").unwrap();
+            let (_, after) = rest.split_once('\n').unwrap();
+            contents = [before, after].concat().into_bytes();
+        }
+        (name, contents)
     };
     let all = entries.map(|entry| file(entry.unwrap()));
     all.filter(|(name, _)| name != "index.html").collect()
@@ -327,6 +336,12 @@ fn a_file_says_what_options_do_and_options_go_before_it() {
         serde_json::json!(["f16", "bf16", "mpfr:8"])
     );
     assert_eq!(settings["levels"], serde_json::json!([4, 8]));
+    // A number behind a comma belongs to the format before it.
+    let settings = run(&["--formats", "ieee:8,-126,127;mpfr:53 f16"])["settings"].clone();
+    assert_eq!(
+        settings["formats"],
+        serde_json::json!(["ieee:8,-126,127", "mpfr:53", "f16", "mpfr:8"])
+    );
 }
 
 #[test]
@@ -363,6 +378,10 @@ fn bad_input_is_named_in_one_line() {
         ),
         (
             &["--formats", ""],
+            "--formats: no formats (allowed: one or more)",
+        ),
+        (
+            &["--formats", " ,; "],
             "--formats: no formats (allowed: one or more)",
         ),
         (
@@ -498,6 +517,63 @@ fn levels_that_do_not_fit_are_refused_with_what_they_take() {
         .assert()
         .code(2)
         .stderr(contains("GiB without --yes)"));
+}
+
+/// A number of a unit, in the unit below it.
+fn magnitude(told: &str, units: &[(&str, f64)]) -> (f64, f64) {
+    let (number, unit) = told.split_once(' ').unwrap();
+    let index = units.iter().position(|(name, _)| *name == unit).unwrap();
+    let factor: f64 = units[..=index].iter().map(|(_, factor)| factor).product();
+    let number: f64 = number.parse().unwrap();
+    // The unit fits, and a number below 10 has a decimal.
+    let next = units.get(index + 1).map_or(f64::INFINITY, |(_, f)| *f);
+    assert!((index == 0 || number >= 1.0) && number <= next, "{told}");
+    assert_eq!(told.contains('.'), number < 10.0 && index > 0, "{told}");
+    let digit = if told.contains('.') { 0.1 } else { 1.0 };
+    (number * factor, 0.501 * digit * factor)
+}
+
+#[test]
+fn what_a_study_takes_is_told_in_fitting_units() {
+    let description = catalogue::find("homogeneous").unwrap().unwrap();
+    let case = manufacture(&description).unwrap().remove(0).case;
+    for exponent in [23, 30, 40, 48] {
+        let sweep = Sweep {
+            cases: vec![("homogeneous".into(), case.clone())],
+            methods: vec!["trapezoid/trapezoid".parse().unwrap()],
+            formats: vec!["f64".parse().unwrap()],
+            levels: (3..=exponent).map(|k| 1 << k).collect(),
+        };
+        let estimate = Estimate::new(&sweep, 2);
+        let levels = format!("8..{}", 1_u64 << exponent);
+        let said = volver(&["--cases", "homogeneous", "--threads", "2"])
+            .args(["--methods", "trapezoid/trapezoid", "--formats", "f64"])
+            .args(["--levels", &levels])
+            .assert()
+            .code(2)
+            .get_output()
+            .stderr
+            .clone();
+        let said = String::from_utf8(said).unwrap();
+        let told = said.strip_prefix("volver: the study takes about ").unwrap();
+        let (told, _) = told.split_once(" (allowed: ").unwrap();
+        let (memory, time) = told.split_once(" of memory and ").unwrap();
+        let binary = ["bytes", "KiB", "MiB", "GiB", "TiB", "PiB", "EiB"];
+        let binary = binary.map(|name| (name, if name == "bytes" { 1.0 } else { 1024.0 }));
+        let times = [
+            ("s", 1.0),
+            ("min", 60.0),
+            ("h", 60.0),
+            ("days", 24.0),
+            ("years", 365.0),
+        ];
+        for ((told, off), exact) in [
+            (magnitude(memory, &binary), estimate.bytes),
+            (magnitude(time, &times), estimate.seconds(2)),
+        ] {
+            assert!((told - exact).abs() <= off, "{said}: {exact}");
+        }
+    }
 }
 
 #[test]

@@ -126,7 +126,7 @@ fn a_directory_gets_every_report_and_a_journal() {
         read("tradeoff.csv").lines().count(),
         1 + 2 * 9 * (3 * 4 + 1)
     );
-    assert!(read("tradeoff-vacuum.svg").contains("no finite error above 0 to draw"));
+    assert!(read("tradeoff-vacuum.svg").contains("nothing to draw"));
     assert!(read("tradeoff-sine-squared.svg").contains("gauss-4/gauss-4"));
     assert!(read("tradeoff.md").contains("(tradeoff-sine-squared.svg)"));
     assert!(read("tradeoff.tex").contains("\\toprule"));

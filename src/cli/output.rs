@@ -68,8 +68,14 @@ impl Output<'_> {
     }
 }
 
+/// The tables of a document for programs, one below the other.
+pub(super) fn csv(document: &Document) -> Result<String, ReportError> {
+    let tables = render::csv(document)?.into_iter();
+    Ok(tables.map(|(_, table)| table).collect())
+}
+
 /// Into a file, or to what is printed.
-pub(super) fn put(file: &Path, text: &str, printed: &mut String) -> Result<(), Failure> {
+fn put(file: &Path, text: &str, printed: &mut String) -> Result<(), Failure> {
     if is_dash(Some(file)) {
         printed.push_str(text);
         return Ok(());
@@ -78,7 +84,7 @@ pub(super) fn put(file: &Path, text: &str, printed: &mut String) -> Result<(), F
 }
 
 /// Whether standard output is meant.
-pub(super) fn is_dash(file: Option<&Path>) -> bool {
+fn is_dash(file: Option<&Path>) -> bool {
     file == Some(Path::new("-"))
 }
 

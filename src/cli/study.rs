@@ -8,20 +8,22 @@ mod memory;
 pub(super) mod methods;
 
 use super::about::about;
-use super::output::{is_dash, put, said};
-use super::{Bar, Color, Failure, Outcome, write_out};
+use super::output::{Output, csv, said};
+use super::{Bar, Color, Failure, Outcome};
 use asked::Asking;
 use clap::Args;
 use formats::Formats;
 pub(super) use formats::names as format_names;
-use std::fmt::Write;
 use std::path::{Path, PathBuf};
 use std::thread;
 use volver::case::Case;
 use volver::real::FormatName;
-use volver::report::{self, study};
+use volver::report::study;
 use volver::study::Progress;
 use volver::study::sweep::{Estimate, Header, Journal, Line, Results, Sweep, run};
+
+/// Where finished units are kept.
+const JOURNAL: &str = "study.jsonl";
 
 const EXAMPLES: &str = "\
 Every error of every method on every case in every format at every n is split into
@@ -99,11 +101,6 @@ pub(crate) struct Study {
 
 impl Study {
     pub(crate) fn run(self) -> Result<Outcome, Failure> {
-        if is_dash(self.json.as_deref()) && is_dash(self.csv.as_deref()) {
-            return Err(Failure::Usage(
-                "'--json -' and '--csv -' both go to standard output (allowed: one of them with a file)".into(),
-            ));
-        }
         let threads = self.threads();
         // Cases are read side by side, and so may the levels of a unit be.
         let pool = rayon::ThreadPoolBuilder::new().num_threads(threads);
@@ -124,7 +121,7 @@ impl Study {
         };
         let estimate = Estimate::new(&sweep, threads);
         memory::check(&estimate, threads, self.yes)?;
-        self.check_places()?;
+        self.output().check()?;
         let header = Header::new(&sweep);
         let lengths: Vec<f64> = sweep
             .cases
@@ -147,19 +144,6 @@ impl Study {
         self.threads.map_or_else(all, usize::from)
     }
 
-    /// Whether reports will find their places, asked before the work is done.
-    fn check_places(&self) -> Result<(), Failure> {
-        if let Some(directory) = &self.out {
-            report::prepare_directory(directory)?;
-        }
-        for file in [&self.json, &self.csv].into_iter().flatten() {
-            if !is_dash(Some(file)) {
-                report::check_file(file)?;
-            }
-        }
-        Ok(())
-    }
-
     /// Runs what is not in the journal yet; the finished units, in their order.
     fn units(
         &self,
@@ -174,7 +158,7 @@ impl Study {
         };
         let directory = temporary.as_ref().map(tempfile::TempDir::path);
         let directory = directory.or(self.out.as_deref()).unwrap_or(Path::new("."));
-        let path = directory.join("study.jsonl");
+        let path = directory.join(JOURNAL);
         let mut journal = if self.resume {
             Journal::resume(&path, header)
         } else {
@@ -196,34 +180,32 @@ impl Study {
         journal.finish(header).map_err(said)
     }
 
-    /// Standard output is for one thing at a time.
-    fn prints_table(&self) -> bool {
-        !self.quiet && !is_dash(self.json.as_deref()) && !is_dash(self.csv.as_deref())
+    fn hand_out(&self, results: &Results) -> Result<(), Failure> {
+        let document = study::document(results, &about());
+        self.output().hand_out(
+            &document,
+            |directory| {
+                let mut files = study::write(directory, results, &about())?;
+                files.push(directory.join(JOURNAL));
+                Ok(files)
+            },
+            |option| match option {
+                "--csv" => csv(&document),
+                _ => study::json(results),
+            },
+        )
     }
 
-    fn hand_out(&self, results: &Results) -> Result<(), Failure> {
-        let mut printed = String::new();
-        if self.prints_table() {
-            printed += &study::text(results, super::width(), self.color.is_on());
+    /// Where reports go to.
+    fn output(&self) -> Output<'_> {
+        Output {
+            out: self.out.as_deref(),
+            files: vec![
+                ("--json", self.json.as_deref()),
+                ("--csv", self.csv.as_deref()),
+            ],
+            quiet: self.quiet,
+            color: self.color,
         }
-        if let Some(directory) = &self.out {
-            let files = study::write(directory, results, &about())?;
-            if self.prints_table() {
-                // The journal is one of them.
-                let _ = writeln!(
-                    printed,
-                    "{} files in {}",
-                    files.len() + 1,
-                    directory.display()
-                );
-            }
-        }
-        if let Some(file) = &self.json {
-            put(file, &study::json(results)?, &mut printed)?;
-        }
-        if let Some(file) = &self.csv {
-            put(file, &study::csv(results)?, &mut printed)?;
-        }
-        write_out(&printed)
     }
 }

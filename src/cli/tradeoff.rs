@@ -1,17 +1,21 @@
 //! `volver tradeoff`: error against cost, and the cheapest way to an error.
 
-use super::output::{is_dash, put, said};
+use super::about::about;
+use super::output::{Output, csv, said};
 use super::study::{asked::Asking, cases, formats, levels, methods};
-use super::{Bar, Color, Failure, Outcome, write_out};
+use super::{Bar, Color, Failure, Outcome};
 use clap::{Args, ValueEnum};
-use std::fmt::Write;
-use std::path::{Path, PathBuf};
+use std::path::PathBuf;
 use std::thread;
-use volver::report::{self, tradeoff};
+use volver::render;
+use volver::report::tradeoff;
 use volver::study::sweep::{Header, Sweep};
 use volver::study::tradeoff::{
     Cost, Journal, Pin, Results, Settings, default_formats, default_methods, estimate, run,
 };
+
+/// Where finished units are kept.
+const JOURNAL: &str = "tradeoff.jsonl";
 
 /// Where nobody says: from one segment on.
 const LEVELS: &str = "1..4096";
@@ -101,7 +105,7 @@ impl From<By> for Cost {
 
 impl Tradeoff {
     pub(crate) fn run(self) -> Result<Outcome, Failure> {
-        self.check_output()?;
+        self.output().check()?;
         let all = || thread::available_parallelism().map_or(1, usize::from);
         let threads = self.threads.map_or_else(all, usize::from);
         let pool = rayon::ThreadPoolBuilder::new().num_threads(threads);
@@ -114,7 +118,7 @@ impl Tradeoff {
         let header = Header::new(&settings.sweep);
         let mut journal = match &self.out {
             Some(directory) => {
-                let path = directory.join("tradeoff.jsonl");
+                let path = directory.join(JOURNAL);
                 Some(Journal::begin(&path, &header).map_err(said)?)
             }
             None => None,
@@ -154,62 +158,34 @@ impl Tradeoff {
         })
     }
 
-    /// Where reports go to, with the options that say so.
-    fn files(&self) -> [(&'static str, Option<&Path>); 3] {
-        [
-            ("--json", self.json.as_deref()),
-            ("--csv", self.csv.as_deref()),
-            ("--latex", self.latex.as_deref()),
-        ]
-    }
-
-    /// Whether reports will find their places, asked before the work is done.
-    fn check_output(&self) -> Result<(), Failure> {
-        let on_stdout: Vec<&str> = self
-            .files()
-            .into_iter()
-            .filter(|(_, file)| is_dash(*file))
-            .map(|(option, _)| option)
-            .collect();
-        if let [first, second, ..] = on_stdout[..] {
-            return Err(Failure::Usage(format!(
-                "'{first} -' and '{second} -' both go to standard output (allowed: one of them with a file)"
-            )));
-        }
-        if let Some(directory) = &self.out {
-            report::prepare_directory(directory)?;
-        }
-        for (_, file) in self.files() {
-            if let Some(file) = file.filter(|file| !is_dash(Some(file))) {
-                report::check_file(file)?;
-            }
-        }
-        Ok(())
-    }
-
     fn hand_out(&self, results: &Results) -> Result<(), Failure> {
-        let mut printed = String::new();
-        let prints_table = !self.quiet && !self.files().into_iter().any(|(_, file)| is_dash(file));
-        if prints_table {
-            printed += &tradeoff::text(results, super::width(), self.color.is_on());
+        let document = tradeoff::document(results, &about());
+        self.output().hand_out(
+            &document,
+            |directory| {
+                let mut files = tradeoff::write(directory, results, &about())?;
+                files.push(directory.join(JOURNAL));
+                Ok(files)
+            },
+            |option| match option {
+                "--csv" => csv(&document),
+                "--latex" => Ok(render::latex(&document)),
+                _ => tradeoff::json(results),
+            },
+        )
+    }
+
+    /// Where reports go to.
+    fn output(&self) -> Output<'_> {
+        Output {
+            out: self.out.as_deref(),
+            files: vec![
+                ("--json", self.json.as_deref()),
+                ("--csv", self.csv.as_deref()),
+                ("--latex", self.latex.as_deref()),
+            ],
+            quiet: self.quiet,
+            color: self.color,
         }
-        if let Some(directory) = &self.out {
-            let files = tradeoff::write(directory, results, &super::about::about())?;
-            if prints_table {
-                // The journal is one of them.
-                let count = files.len() + 1;
-                let _ = writeln!(printed, "{count} files in {}", directory.display());
-            }
-        }
-        if let Some(file) = &self.json {
-            put(file, &tradeoff::json(results)?, &mut printed)?;
-        }
-        if let Some(file) = &self.csv {
-            put(file, &tradeoff::csv(results)?, &mut printed)?;
-        }
-        if let Some(file) = &self.latex {
-            put(file, &tradeoff::latex(results), &mut printed)?;
-        }
-        write_out(&printed)
     }
 }

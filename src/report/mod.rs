@@ -18,6 +18,7 @@
 pub mod comparison;
 #[cfg(test)]
 mod fixture;
+mod names;
 pub mod nonsmooth;
 pub mod plan;
 pub mod reproduce;

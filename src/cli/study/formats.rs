@@ -107,21 +107,3 @@ pub(in crate::cli) fn names(text: &str) -> Vec<String> {
     }
     names
 }
-
-#[cfg(test)]
-mod tests {
-    use super::names;
-
-    #[test]
-    fn commas_separate_formats_and_their_parameters() {
-        assert_eq!(
-            names("f32,ieee:11,-14,15,f64"),
-            ["f32", "ieee:11,-14,15", "f64"]
-        );
-        assert_eq!(
-            names("ieee:8,-126,127;mpfr:53 f16"),
-            ["ieee:8,-126,127", "mpfr:53", "f16"]
-        );
-        assert!(names(" ,; ").is_empty());
-    }
-}

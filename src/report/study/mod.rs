@@ -1,68 +1,183 @@
-//! A study: for a terminal, as a document, for programs, for a paper.
+//! A study of errors and their parts.
 
-mod csv;
-mod html;
 mod json;
-pub(super) mod latex;
+mod levels;
 pub(super) mod markdown;
-pub(super) mod names;
-#[cfg(test)]
-mod tests;
-mod text;
+mod paper;
 pub(super) mod words;
 
-pub use csv::csv;
-pub use html::page;
 pub use json::json;
-pub use latex::latex;
-pub use markdown::markdown;
-pub use text::text;
 
-use super::{ReportError, svg, write_file};
-use crate::document::About;
-use crate::render::html::place;
-use crate::study::sweep::Results;
-use names::Figure;
-use std::fs;
+use super::names::FileNames;
+use super::svg::plots;
+use super::tone::counts;
+use crate::convergence::Fit;
+use crate::document::{
+    About, Block, Cell, Column, Conclusion, Document, Fact, Figure, Finding, Medium, Section,
+    Table, Tone,
+};
+use crate::render::{ReportError, write_document};
+use crate::study::sweep::{Line, Results, TOLERANCES};
+use std::f64::consts::LOG10_2;
 use std::path::{Path, PathBuf};
+use words::{
+    LEGEND, NONE, best, crossing, exponent, judged, order, summary, theory, tone, warnings,
+};
 
-/// Writes `study.csv`, `study.json`, `study.tex`, one plot a case and method, `study.md`, which shows them, and a page,
-/// `index.html`, into `dir`; returns the paths written. Other files in `dir` stay.
+/// For every case and method its orders and roundoff, format by format, with what happened at some levels and the parts of the
+/// error as plots; then maps of correct digits. All levels are a table for CSV, the orders one for LaTeX.
+#[must_use]
+pub fn document(results: &Results, about: &About) -> Document {
+    let mut document = Document::new("study", "A study of errors", about.clone());
+    let lines = || results.lines.iter().filter(|line| !line.swept);
+    document.summary = counts(lines().map(|line| {
+        let verdict = line.summary.discretization.verdict;
+        (verdict.name().to_string(), judged(line))
+    }));
+    document
+        .summary
+        .push(Fact::new("lines", lines().count().to_string()));
+    document.conclusion = Some(Conclusion::new(summary(results)));
+    document.sections.push(run(results));
+    let mut names = FileNames::default();
+    for (case, method, lines) in results.groups().filter(|(.., lines)| !lines.is_empty()) {
+        let file = names.next("parts", &[case, method]);
+        document.sections.push(parts(file, case, method, &lines));
+    }
+    for (case, method, lines) in results.maps().filter(|(.., lines)| !lines.is_empty()) {
+        let file = names.next("digits", &[case, method]);
+        let title = format!("{case}, {method}: correct digits");
+        let map = Block::Table(map(&lines, &title).named(&file)).only(Medium::Written);
+        document.sections.push(Section::of(file, title, [map]));
+    }
+    if !results.lines.is_empty() {
+        let legend = LEGEND.iter();
+        let legend = legend.map(|(word, meaning)| Fact::new(*word, *meaning));
+        let legend = Block::Facts(legend.collect());
+        document
+            .sections
+            .push(Section::of("words", "Words", [legend]).aside());
+    }
+    document
+}
+
+/// Writes `study.csv`, `study.json`, `study.tex`, one figure a case and method, `study.md`, which shows them, and a page,
+/// `index.html`, into `dir`; see [`write_document`]. Returns the paths written.
 ///
 /// # Errors
 /// [`ReportError::Directory`] or [`ReportError::File`] with the path and the system's reason.
 pub fn write(dir: &Path, results: &Results, about: &About) -> Result<Vec<PathBuf>, ReportError> {
-    fs::create_dir_all(dir).map_err(|reason| ReportError::Directory {
-        path: dir.into(),
-        reason,
-    })?;
-    let mut paths = Vec::new();
-    let mut put = |name: &str, contents: &str| -> Result<(), ReportError> {
-        let path = dir.join(name);
-        write_file(&path, contents)?;
-        paths.push(path);
-        Ok(())
-    };
-    for Figure {
-        file,
-        case,
-        method,
-        lines,
-        is_map,
-    } in names::figures(results)
-    {
-        let title = format!("{case}, {method}");
-        let figure = if is_map {
-            svg::digits_plot(&title, &lines)?
-        } else {
-            svg::split_plot(&title, &lines)?
-        };
-        put(&file, &figure)?;
+    let data = [("study.json".to_string(), json(results)?)];
+    write_document(dir, &document(results, about), "study", data)
+}
+
+fn run(results: &Results) -> Section {
+    let header = &results.header;
+    let names = header.cases.iter().map(|[name, ..]| name.as_str());
+    let names: Vec<&str> = names.collect();
+    let levels: Vec<String> = header.levels.iter().map(ToString::to_string).collect();
+    let mut formats: Vec<&str> = Vec::new();
+    for line in results.lines.iter().filter(|line| !line.swept) {
+        if !formats.contains(&line.format.as_str()) {
+            formats.push(&line.format);
+        }
     }
-    put("study.csv", &csv(results)?)?;
-    put("study.json", &json(results)?)?;
-    put("study.tex", &latex(results))?;
-    put("study.md", &markdown(results))?;
-    paths.push(place(dir, &page(results, about))?);
-    Ok(paths)
+    let mut facts = vec![
+        Fact::new("cases", names.join(", ")),
+        Fact::new("methods", header.methods.join("; ")),
+        Fact::new("formats", formats.join("; ")),
+        Fact::new("levels n", levels.join(", ")),
+    ];
+    if let Some(bits) = &results.sweep_bits {
+        let range = format!("{} … {}", bits.start(), bits.end());
+        facts.push(Fact::new("swept bits", range));
+    }
+    let said = "The verdicts above are on the order of the discretization error, a line a case, method and format.";
+    let blocks = [
+        Block::Text(said.into()).only(Medium::Written),
+        Block::Facts(facts).only(Medium::Written),
+        Block::Table(levels::table(results)).only(Medium::Csv),
+        Block::Table(paper::table(results)).only(Medium::Latex),
+    ];
+    Section::of("run", "What was run", blocks)
+}
+
+fn parts(file: String, case: &str, method: &str, lines: &[&Line]) -> Section {
+    let expected = lines.first().map(|line| theory(line.row.expected));
+    let title = format!("{case}, {method}: theory {}", expected.unwrap_or_default());
+    let caption = format!("{case}, {method}: the parts of the error against n");
+    let figure = Figure::new(&file, caption, plots::of_split(lines));
+    let mut section = Section::of(file, title, [Block::Table(table(lines))]);
+    section.blocks.push(Block::Figure(figure));
+    for line in lines {
+        let remark = |warning| Finding::new(&line.format, warning).toned(Tone::Open);
+        let remarks = warnings(line).into_iter().map(remark).map(Block::Finding);
+        section.blocks.extend(remarks);
+    }
+    section
+}
+
+fn table(lines: &[&Line]) -> Table {
+    let mut columns = vec![
+        Column::text("format"),
+        Column::number("discretization"),
+        Column::verdict("verdict"),
+        Column::number("total"),
+        Column::verdict("verdict of total"),
+        Column::number("q arithmetic"),
+        Column::number("q input"),
+        Column::number("n*"),
+        Column::logarithm("best"),
+    ];
+    let bits = TOLERANCES.map(|t| Column::number(format!("bits for {t:e}")).detail());
+    columns.extend(bits);
+    let rows = lines.iter().map(|line| row(line));
+    Table::new("Orders and roundoff, a row a format", columns).with(rows)
+}
+
+fn row(line: &Line) -> Vec<Cell> {
+    let summary = &line.summary;
+    let number = |fit: &Fit| Cell::number(order(fit), fit.order);
+    let law = |law| Cell::number(exponent(law), law.map(|law| law.exponent));
+    let total = summary.total.verdict;
+    let least = summary.best.map(|best| best.log2_error * LOG10_2);
+    let mut cells = vec![
+        Cell::text(&line.format),
+        number(&summary.discretization),
+        Cell::verdict(summary.discretization.verdict.name(), judged(line)),
+        number(&summary.total),
+        Cell::verdict(total.name(), tone(total)),
+        law(summary.laws.arithmetic),
+        law(summary.laws.input),
+        Cell::number(crossing(line), summary.crossing),
+        Cell::number(best(line), least),
+    ];
+    cells.extend(summary.bits_needed.iter().map(|needed| match needed.bits {
+        Some(bits) => Cell::number(bits.to_string(), f64::from(bits)),
+        None => Cell::text(NONE),
+    }));
+    cells
+}
+
+/// Correct digits over n and bits, coloured.
+fn map(lines: &[&Line], title: &str) -> Table {
+    let levels = lines.first().map_or(&[][..], |line| &line.row.levels);
+    let heads = levels.iter().map(|level| format!("n = {}", level.n));
+    let columns = std::iter::once("bits".to_string()).chain(heads);
+    let digits = |line: &Line| -> Vec<Option<f64>> {
+        let levels = line.row.levels.iter();
+        levels.map(|level| line.digits(level)).collect()
+    };
+    let all = lines.iter().flat_map(|line| digits(line)).flatten();
+    let most = all.fold(1.0, f64::max);
+    let rows = lines.iter().map(|line| {
+        let cells = digits(line).into_iter().map(|digits| match digits {
+            Some(digits) => Cell::number(format!("{digits:.1}"), digits).shaded(digits / most),
+            None => Cell::text("–"),
+        });
+        let bits = Cell::number(line.bits.to_string(), f64::from(line.bits));
+        std::iter::once(bits).chain(cells).collect()
+    });
+    let caption = format!("{title}, over significant bits and segments n");
+    Table::new(caption, columns.map(Column::number)).with(rows)
 }

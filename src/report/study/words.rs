@@ -1,13 +1,14 @@
-//! The words that the reports of a study share.
+//! How a study is put in words.
 
 use crate::convergence::{Fit, RoundoffLaw, Verdict};
+use crate::document::Tone;
 use crate::study::sweep::{Line, Part, Results, State, Theory};
 use rug::Float;
 
 /// What stands where there is no figure.
 pub(super) const NONE: &str = "-";
 
-/// The parts of an error, in the order of all reports.
+/// The parts of an error, in the order of all plots.
 pub(in crate::report) const PARTS: [(Part, &str); 5] = [
     (Part::Total, "total"),
     (Part::Discretization, "discretization"),
@@ -64,8 +65,25 @@ pub(in crate::report) fn best(line: &Line) -> String {
     })
 }
 
+/// How good or bad the order of a line's discretization is.
+pub(super) fn judged(line: &Line) -> Tone {
+    if line.contradicts_theory() {
+        Tone::Bad
+    } else {
+        tone(line.summary.discretization.verdict)
+    }
+}
+
+/// How good or bad a verdict is where theory says nothing.
+pub(super) fn tone(verdict: Verdict) -> Tone {
+    match verdict {
+        Verdict::Confirmed | Verdict::Exact => Tone::Good,
+        _ => Tone::Open,
+    }
+}
+
 /// Two digits of a number of any magnitude.
-pub(super) fn scientific(x: &Float) -> String {
+fn scientific(x: &Float) -> String {
     let narrow = x.to_f64();
     if narrow == 0.0 || narrow.is_subnormal() || !narrow.is_finite() {
         return if x.is_zero() {

@@ -1,47 +1,254 @@
-//! Error against cost: for a terminal, as a document, for programs, for a paper, as a plot.
+//! Error against cost.
 
-mod csv;
-mod html;
 mod json;
-mod latex;
-mod markdown;
-#[cfg(test)]
-mod tests;
-mod text;
+mod plot;
+mod runs;
 mod words;
 
-pub use csv::csv;
-pub use html::page;
 pub use json::json;
-pub use latex::latex;
-pub use markdown::markdown;
-pub use text::text;
 
-use super::{ReportError, svg};
-use crate::document::About;
-use crate::render::html::place;
-use crate::render::write_files;
-use crate::study::tradeoff::Results;
+use super::names::FileNames;
+use crate::document::{
+    About, Block, Cell, Column, Document, Fact, Figure, Finding, Medium, Section, Table, Tone,
+};
+use crate::render::{ReportError, write_document};
+use crate::study::tradeoff::{CaseResults, Cost, Results, standings};
 use std::path::{Path, PathBuf};
+use words::{error, goal, model, range, relative, states, time_of, unreached, usual, way};
 
-/// Writes one plot a case, `tradeoff.csv`, `tradeoff.json`, `tradeoff.tex`, `tradeoff.md`, which shows them, and a
-/// page, `index.html`, into `dir`; returns the paths written. Other files in `dir` stay.
+/// Methods and formats on fronts that a terminal shows.
+const NAMED: usize = 12;
+
+const WORDS: [(&str, &str); 2] = [
+    (
+        "usual",
+        "left Riemann sums with opacity 1 − e^(−τd) in binary32, front-to-back/front/subtraction",
+    ),
+    ("cannot", "at no n that was run"),
+];
+
+/// For every case its plot, the cheapest way to each error and the front; then how often methods are on one. All runs are a
+/// table for CSV, the cheapest ways one for LaTeX.
+#[must_use]
+pub fn document(results: &Results, about: &About) -> Document {
+    let mut document = Document::new("tradeoff", "Error against cost", about.clone());
+    let header = &results.header;
+    let count = |name: &str, count: usize| Fact::new(name, count.to_string());
+    document.summary = vec![
+        count("cases", results.cases.len()),
+        count("methods", header.methods.len()),
+        count("formats", header.formats.len()),
+        count("levels", header.levels.len()),
+    ];
+    document.sections.push(run(results));
+    let mut names = FileNames::default();
+    for case in &results.cases {
+        let file = names.next("tradeoff", &[&case.name]);
+        document.sections.push(section(case, results.cost, file));
+    }
+    document.sections.extend(fronts(results));
+    let words = WORDS.iter();
+    let words = words.map(|(word, meaning)| Fact::new(*word, *meaning));
+    let mut words = Section::of("words", "Words", [Block::Facts(words.collect())]).aside();
+    words.blocks.extend(said(results, Medium::Terminal));
+    document.sections.push(words);
+    document
+}
+
+/// Writes one figure a case, `tradeoff.csv`, `tradeoff.json`, `tradeoff.tex`, `tradeoff.md`, which shows them, and a page,
+/// `index.html`, into `dir`; see [`write_document`]. Returns the paths written.
 ///
 /// # Errors
 /// [`ReportError::Directory`] or [`ReportError::File`] with the path and the system's reason.
 pub fn write(dir: &Path, results: &Results, about: &About) -> Result<Vec<PathBuf>, ReportError> {
-    let mut files = Vec::new();
-    for (index, case) in results.cases.iter().enumerate() {
-        files.push((
-            dir.join(words::figure_file(results, index)),
-            svg::tradeoff_plot(case, results.cost)?,
-        ));
+    let data = [("tradeoff.json".to_string(), json(results)?)];
+    write_document(dir, &document(results, about), "tradeoff", data)
+}
+
+fn run(results: &Results) -> Section {
+    let header = &results.header;
+    let levels: Vec<String> = header.levels.iter().map(ToString::to_string).collect();
+    let facts = vec![
+        Fact::new("cost", results.cost.to_string()),
+        Fact::new("methods", header.methods.join("; ")),
+        Fact::new("formats", header.formats.join("; ")),
+        Fact::new("levels n", levels.join(", ")),
+    ];
+    let mut section = Section::of(
+        "run",
+        "What was run",
+        [
+            Block::Facts(facts).only(Medium::Written),
+            Block::Table(runs::table(results)).only(Medium::Csv),
+            Block::Table(paper(results)).only(Medium::Latex),
+        ],
+    );
+    section.blocks.extend(said(results, Medium::Written));
+    section
+}
+
+/// How far times can be believed: what was run, to those with room, and after all results on a terminal.
+fn said(results: &Results, medium: Medium) -> impl Iterator<Item = Block> {
+    let lines = model(results).into_iter();
+    lines.map(move |line| Block::Text(line).only(medium))
+}
+
+fn section(case: &CaseResults, cost: Cost, file: String) -> Section {
+    let title = format!("{}: {}", case.name, relative(case));
+    let plot = plot::plot(case, cost);
+    let figure = Figure::new(file, &plot.title, [plot.clone()]);
+    let mut section = Section::of(
+        &case.name,
+        title,
+        [
+            Block::Text(format!("{}.", states(case))),
+            Block::Figure(figure),
+            Block::Table(goals(case, cost)).only(Medium::Written),
+            Block::Table(cheapest(case, cost)).only(Medium::Terminal),
+        ],
+    );
+    if let Some(unreached) = unreached(&case.goals(cost)) {
+        let finding = Finding::new("", unreached).toned(Tone::Open);
+        section.blocks.push(Block::Finding(finding));
     }
-    files.push((dir.join("tradeoff.csv"), csv(results)?));
-    files.push((dir.join("tradeoff.json"), json(results)?));
-    files.push((dir.join("tradeoff.tex"), latex(results)));
-    files.push((dir.join("tradeoff.md"), markdown(results)));
-    let mut paths = write_files(dir, files)?;
-    paths.push(place(dir, &page(results, about))?);
-    Ok(paths)
+    section
+        .blocks
+        .push(Block::Text("The front:".into()).only(Medium::Markdown));
+    let front = Block::Table(front(case, cost)).only(Medium::Written);
+    section.blocks.push(front);
+    section
+}
+
+/// Goal by goal.
+fn goals(case: &CaseResults, cost: Cost) -> Table {
+    let columns = [
+        Column::logarithm("error"),
+        Column::text("method"),
+        Column::text("format"),
+        Column::number("n"),
+        Column::number("evaluations"),
+        Column::number("operations"),
+        Column::number("time"),
+        Column::text("usual"),
+    ];
+    let goals = case.goals(cost);
+    let reached = goals.iter().map_while(|goal| Some((goal, goal.best?)));
+    let rows = reached.map(|(of, best)| {
+        let (_, point) = best;
+        let [method, format, n, evaluations, operations, time] = way(best, cost);
+        vec![
+            Cell::number(goal(of), -f64::from(of.digits)),
+            Cell::text(method),
+            Cell::text(format),
+            Cell::number(n, point.n as f64),
+            Cell::number(evaluations, point.counts.evaluations() as f64),
+            Cell::number(operations, point.counts.operations() as f64),
+            Cell::number(time, cost.of(point)),
+            Cell::text(usual(of, cost)),
+        ]
+    });
+    let caption = "The cheapest way to an error, and what the usual choice costs for it";
+    Table::new(caption, columns).with(rows)
+}
+
+/// The same with one row for goals that are reached in one way, and one cost beside the evaluations.
+fn cheapest(case: &CaseResults, cost: Cost) -> Table {
+    let by_operations = matches!(cost, Cost::Operations);
+    let last = if by_operations { "operations" } else { "time" };
+    let columns = [
+        Column::text("error"),
+        Column::text("method"),
+        Column::text("format"),
+        Column::number("n"),
+        Column::number("eval."),
+        Column::number(last),
+        Column::text("usual"),
+    ];
+    let goals = case.goals(cost);
+    let runs = words::runs(&goals).into_iter();
+    let rows = runs.filter_map(|(first, last)| {
+        let [method, format, n, evaluations, operations, time] = way(last.best?, cost);
+        let last_cost = if by_operations { operations } else { time };
+        let range = range((first, last));
+        let usual = usual(first, cost);
+        let cells = [range, method, format, n, evaluations, last_cost, usual];
+        Some(cells.map(Cell::text).into())
+    });
+    Table::new("The cheapest way to an error", columns).with(rows)
+}
+
+fn front(case: &CaseResults, cost: Cost) -> Table {
+    let columns = [
+        Column::text("method"),
+        Column::text("format"),
+        Column::number("n"),
+        Column::number("evaluations"),
+        Column::number("time"),
+        Column::logarithm("error"),
+    ];
+    let front = case.front(cost).into_iter();
+    let rows = front.map(|(unit, point)| {
+        let evaluations = point.counts.evaluations();
+        vec![
+            Cell::text(point.method.name()),
+            Cell::text(unit.format.to_string()),
+            Cell::number(point.n.to_string(), point.n as f64),
+            Cell::number(evaluations.to_string(), evaluations as f64),
+            Cell::number(time_of(point, cost), cost.of(point)),
+            Cell::number(error(point), point.outcome.log10()),
+        ]
+    });
+    Table::new("On the Pareto front, from cheap to exact", columns).with(rows)
+}
+
+/// How often methods are on a front; nothing where there is none.
+fn fronts(results: &Results) -> Option<Section> {
+    let columns = [
+        Column::text("method"),
+        Column::text("format"),
+        Column::number("cases"),
+        Column::number("points"),
+    ];
+    let number = |count: usize| Cell::number(count.to_string(), count as f64);
+    let standings = standings(results, results.cost).into_iter();
+    let rows = standings.map(|standing| {
+        vec![
+            Cell::text(standing.method),
+            Cell::text(standing.format),
+            number(standing.cases),
+            number(standing.points),
+        ]
+    });
+    let caption = "How often a method is on a Pareto front";
+    let table = Table::new(caption, columns).at_most(NAMED).with(rows);
+    let (cost, of) = (results.cost, results.cases.len());
+    let title = format!("Pareto fronts by {cost}: on how many of {of}");
+    let is_bare = table.rows.is_empty();
+    (!is_bare).then(|| Section::of("fronts", title, [Block::Table(table)]))
+}
+
+/// The table for a paper.
+fn paper(results: &Results) -> Table {
+    let columns = [
+        Column::text("case").grouping(),
+        Column::number("error"),
+        Column::text("method"),
+        Column::text("format"),
+        Column::number("n"),
+        Column::number("evaluations"),
+        Column::number("time"),
+        Column::text("usual"),
+    ];
+    let cost = results.cost;
+    let rows = results.cases.iter().flat_map(|case| {
+        let goals = case.goals(cost).into_iter();
+        let reached = goals.map_while(|goal| Some((goal, goal.best?)));
+        reached.map(move |(of, best)| {
+            let [method, format, n, evaluations, _, time] = way(best, cost);
+            let (case, usual) = (case.name.clone(), usual(&of, cost));
+            let cells = [case, goal(&of), method, format, n, evaluations, time, usual];
+            cells.map(Cell::text).into()
+        })
+    });
+    Table::new(format!("The cheapest way to an error, by {cost}"), columns).with(rows)
 }

@@ -1,10 +1,8 @@
-//! How results are put in words, the same in every report.
+//! How a comparison is put in words.
 
-use crate::report::study::names::safe;
 use crate::study::tradeoff::{
-    CaseResults, Cost, Goal, Point, Results, Unit, agreement, clock_name,
+    CaseResults, Cost, Goal, Outcome, Point, Results, Unit, agreement, clock_name,
 };
-use std::collections::BTreeMap;
 
 /// A duration from nanoseconds, with two significant digits.
 pub(super) fn time(nanoseconds: f64) -> String {
@@ -110,23 +108,33 @@ pub(super) fn relative(case: &CaseResults) -> String {
     }
 }
 
-/// "1950 points: 1900 with an error, 12 exact, 20 refused, 18 not finite".
+/// "108 runs: 102 with an error, 6 refused".
 pub(super) fn states(case: &CaseResults) -> String {
-    let mut states: BTreeMap<&'static str, usize> = BTreeMap::new();
-    for (_, point) in case.points() {
-        *states.entry(point.outcome.name()).or_default() += 1;
-    }
-    let total: usize = states.values().sum();
-    let parts: Vec<String> = [
-        ("error", "with an error"),
+    let total = case.points().count();
+    let errors = case.points();
+    let errors = errors.filter(|(_, point)| matches!(point.outcome, Outcome::Error { .. }));
+    let errors = match errors.count() {
+        0 => None,
+        some => Some(format!("{some} with an error")),
+    };
+    let parts: Vec<String> = errors.into_iter().chain(no_errors(case)).collect();
+    format!("{total} runs: {}", parts.join(", "))
+}
+
+/// Runs whose error has no logarithm: "6 refused".
+pub(super) fn no_errors(case: &CaseResults) -> Vec<String> {
+    let words = [
         ("exact", "exact"),
         ("not-finite", "not finite"),
         ("refused", "refused"),
-    ]
-    .into_iter()
-    .filter_map(|(state, words)| Some(format!("{} {words}", states.get(state)?)))
-    .collect();
-    format!("{total} runs: {}", parts.join(", "))
+    ];
+    let counted = words.map(|(state, words)| {
+        let of = |(_, point): &(&Unit, &Point)| point.outcome.name() == state;
+        (case.points().filter(of).count(), words)
+    });
+    let some = counted.into_iter().filter(|(count, _)| *count > 0);
+    some.map(|(count, words)| format!("{count} {words}"))
+        .collect()
 }
 
 /// How far the model's time can be believed; nothing where nothing was timed.
@@ -158,20 +166,4 @@ pub(super) fn model(results: &Results) -> Vec<String> {
         ));
     }
     lines
-}
-
-/// The file of a case's plot; no two cases have the same.
-pub(super) fn figure_file(results: &Results, index: usize) -> String {
-    let stem = |case: &CaseResults| format!("tradeoff-{}", safe(&case.name));
-    let Some(case) = results.cases.get(index) else {
-        return "tradeoff.svg".into();
-    };
-    let own = stem(case);
-    let before = results.cases[..index]
-        .iter()
-        .filter(|other| stem(other) == own);
-    match before.count() {
-        0 => format!("{own}.svg"),
-        others => format!("{own}-{}.svg", others + 1),
-    }
 }
