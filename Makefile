@@ -1,20 +1,28 @@
 # What a stranger runs and what CI runs are the same commands.
 
-.PHONY: reproduce test proofs mutants lint kernels page bench setup
+.PHONY: reproduce test library thorough proofs mutants lint kernels page bench setup
 .DEFAULT_GOAL := reproduce
 
 # The main job: the paper's tables, measured again, and what lies beyond them; the report goes to reproduction/.
 reproduce: setup
-	cargo run --release --locked --quiet -- reproduce --out reproduction
-	cargo run --release --locked --quiet -- reproduce --nonsmooth --out reproduction
+	cargo run --locked --quiet -- reproduce --out reproduction
+	cargo run --locked --quiet -- reproduce --nonsmooth --out reproduction
 
 test: setup
 	cargo test --locked
 
+# The library without the program, as a dependency of a crate that tests its own ray marcher.
+library: setup
+	cargo test --locked --package as-a-test
+
+# What takes minutes and finds little: docs/contributing.md lists it with the reasons.
+thorough: setup
+	cargo test --locked -- --ignored
+
 # Checked by Coq; installs Debian's packages where they are missing. The cases are those that the program writes now.
 proofs: setup
 	rm -rf target/proofs
-	cargo run --release --locked --quiet -- prove --all --no-check --write target/proofs > /dev/null
+	cargo run --locked --quiet -- prove --all --no-check --write target/proofs > /dev/null
 	diff -r target/proofs proofs/cases
 	proofs/check
 
@@ -23,8 +31,9 @@ mutants:
 	proofs/mutants/check
 
 lint: setup
-	cargo fmt --check
-	cargo clippy --locked --all-targets -- -D warnings
+	cargo fmt --all --check
+	cargo clippy --locked --workspace --all-targets -- -D warnings
+	cargo clippy --locked --no-default-features --lib -- -D warnings
 	RUSTDOCFLAGS="-D warnings" cargo doc --locked --no-deps
 
 # volver verify, for real: the kernels of examples/kernels, VTK's among them, which it installs from PyPI under target/.
@@ -36,7 +45,7 @@ page: setup
 	tests/page/check
 
 bench: setup
-	cargo bench --locked
+	cargo bench --locked -p volver-benches
 
 # GMP's build needs m4, which fresh machines lack.
 SUDO := $(shell [ "$$(id -u)" -eq 0 ] || echo sudo)

@@ -3,8 +3,10 @@
 use crate::case::catalogue;
 use crate::case::manufacture::{ManufactureError, manufacture};
 use crate::convergence::{Ladder, LadderError};
+use crate::document::About;
 use crate::kernel::{Kernel, Subject, SubjectError};
-use crate::report::verify::{closing, heading, row};
+use crate::render::terminal;
+use crate::report::verify::{document, heading, row};
 use crate::study::Silent;
 use crate::study::verify::{
     Conclusion, Settings, SettingsError, Verification, VerifyError, verify,
@@ -56,9 +58,10 @@ impl fmt::Display for OrderError {
             OrderError::Unconfirmed(verification) => {
                 let rows = verification.lines.iter();
                 let rows: String = rows.map(|line| row(line, WIDTH, false)).collect();
-                let head = heading(false);
-                let closing = closing(verification, WIDTH, false);
-                write!(f, "the order is not confirmed\n{head}{rows}{closing}")
+                let head = heading(WIDTH, false);
+                let about = About::new(std::env::args_os());
+                let closing = terminal(&document(verification, &about), WIDTH, false);
+                write!(f, "the order is not confirmed\n{head}{rows}\n{closing}")
             }
             OrderError::Order { order } => {
                 write!(f, "an order of {order} (allowed: finite, above 0)")
@@ -131,36 +134,4 @@ macro_rules! assert_order {
             ::std::panic!("{}", error);
         }
     }};
-}
-
-#[cfg(test)]
-mod tests {
-    use crate::assert::{OrderError, confirm_order};
-    use crate::kernel::BuiltIn;
-    use crate::real::FormatName;
-
-    fn built_in(method: &str) -> BuiltIn {
-        BuiltIn::new(method.parse().unwrap(), FormatName::F64)
-    }
-
-    #[test]
-    fn the_right_order_passes() {
-        assert_order!(built_in("trapezoid/trapezoid"), 2);
-        assert_order!(built_in("front-to-back/front/expm1"), 1);
-    }
-
-    #[test]
-    #[should_panic(expected = "TooLow")]
-    fn an_order_too_high_panics_with_the_report() {
-        assert_order!(built_in("front-to-back/front/expm1"), 2);
-    }
-
-    #[test]
-    fn an_order_that_is_none_is_refused() {
-        let mut kernel = built_in("trapezoid/trapezoid");
-        for order in [0.0, -1.0, f64::NAN] {
-            let refused = confirm_order(&mut kernel, order);
-            assert!(matches!(refused, Err(OrderError::Order { .. })));
-        }
-    }
 }

@@ -54,14 +54,18 @@ pub mod case;
 pub mod convergence;
 pub mod diagnosis;
 pub mod document;
+#[doc(hidden)]
+pub mod inside;
 pub mod kernel;
 pub mod method;
+mod parallel;
 pub mod proof;
 pub mod quadrature;
 pub mod real;
 pub mod reference;
 pub mod render;
 pub mod report;
+#[cfg(feature = "studies")]
 pub mod scene;
 pub mod study;
 pub mod symbolic;

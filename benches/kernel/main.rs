@@ -21,17 +21,13 @@ const WARM_UP: usize = 50;
 const REQUESTS: usize = 500;
 
 fn main() {
-    let python = concat!(env!("CARGO_MANIFEST_DIR"), "/benches/kernel/nothing.py");
+    let python = concat!(env!("CARGO_MANIFEST_DIR"), "/kernel/nothing.py");
     let folder = tempfile::tempdir().expect("a folder");
     let mut kernels = vec![
-        command(
-            "C, unread",
-            &in_c("benches/kernel/nothing.c", folder.path()),
-            &[],
-        ),
+        command("C, unread", &in_c("kernel/nothing.c", folder.path()), &[]),
         command(
             "C, text",
-            &in_c("examples/kernels/front_to_back.c", folder.path()),
+            &in_c("../examples/kernels/front_to_back.c", folder.path()),
             &[],
         ),
         command("python, text", "python3", &[python, "json"]),

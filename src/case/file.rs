@@ -21,8 +21,6 @@ mod nesting;
 mod problem;
 mod recipe;
 mod table;
-#[cfg(test)]
-mod tests;
 mod text;
 
 pub use error::FileError;

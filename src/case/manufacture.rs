@@ -18,8 +18,6 @@ mod polynomial;
 mod regularity;
 mod statement;
 mod structure;
-#[cfg(test)]
-mod tests;
 
 pub use error::ManufactureError;
 pub use statement::{Check, Outcome, Statement};

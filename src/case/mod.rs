@@ -5,19 +5,17 @@ mod counted;
 pub mod file;
 mod homogeneous_slab;
 pub mod manufacture;
-mod nodes;
+pub(crate) mod nodes;
 pub mod random;
 mod reciprocal;
 mod sine_squared;
 mod structure;
 mod symbolic;
-#[cfg(test)]
-mod tests;
 
 pub use counted::CountedCase;
 pub use file::{ChannelDescription, Description, FileError, FileProblem, Recipe};
 pub use homogeneous_slab::HomogeneousSlab;
-pub use nodes::{Column, Fresh, Nodes, Number, Recorded, Recording, Replayed, Shared};
+pub use nodes::{AnyNodes, Column, Fresh, Nodes, Number, Recorded, Recording, Replayed, Shared};
 pub use reciprocal::{Reciprocal, ReciprocalSquare};
 pub use sine_squared::SineSquared;
 pub use structure::{Along, Break, END_DERIVATIVES, PolynomialTransfer, Structure};

@@ -1,13 +1,13 @@
 //! Values of a case at the places where methods look: evaluated afresh, or once for all who ask.
 
+mod any;
 mod fresh;
-mod grid;
+pub(crate) mod grid;
 mod recorded;
 mod replayed;
 mod shared;
-#[cfg(test)]
-mod tests;
 
+pub use any::AnyNodes;
 pub use fresh::Fresh;
 pub use recorded::{Recorded, Recording};
 pub use replayed::Replayed;
@@ -31,7 +31,8 @@ pub struct Column<R> {
 }
 
 impl<R: Clone> Column<R> {
-    fn with_capacity(length: usize) -> Self {
+    fn with_capacity(count: u64) -> Self {
+        let length = usize::try_from(count).unwrap_or(usize::MAX);
         Column {
             field: Vec::with_capacity(length),
             emission: Vec::with_capacity(length),
@@ -44,6 +45,14 @@ impl<R: Clone> Column<R> {
         self.emission.push(transfer.emission);
         self.extinction.push(transfer.extinction);
     }
+}
+
+/// C and τ, node by node.
+fn transfers<R: Clone>(column: Arc<Column<R>>) -> impl Iterator<Item = Transfer<R>> {
+    (0..column.extinction.len()).map(move |j| Transfer {
+        emission: column.emission[j].clone(),
+        extinction: column.extinction[j].clone(),
+    })
 }
 
 /// What a method may ask of a ray that is divided into n equal segments of length d = D/n.
@@ -76,11 +85,7 @@ pub trait Nodes: Debug + Sync {
         n: u64,
         offset: Rational,
     ) -> impl Iterator<Item = Transfer<Number<Self>>> {
-        let column = self.interior(n, &offset);
-        (0..column.extinction.len()).map(move |j| Transfer {
-            emission: column.emission[j].clone(),
-            extinction: column.extinction[j].clone(),
-        })
+        transfers(self.interior(n, &offset))
     }
 
     /// The field one step beyond the far end, at D·(n + 1)/n.

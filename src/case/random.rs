@@ -8,8 +8,6 @@
 mod emit;
 mod grow;
 mod shrink;
-#[cfg(test)]
-mod tests;
 
 pub use emit::Emit;
 pub use grow::Grow;

@@ -1,10 +1,6 @@
 //! Cases by name or from files, for every command that takes one.
 
-pub(crate) mod json;
 mod nearest;
-mod orders;
-pub(crate) mod text;
-pub(crate) mod value;
 
 use super::Failure;
 use std::fs::File;
@@ -12,22 +8,15 @@ use std::io::{self, Read};
 use std::path::Path;
 use volver::case::catalogue;
 use volver::case::file::MAX_FILE;
-use volver::case::manufacture::{ManufactureError, Manufactured, manufacture};
+use volver::case::manufacture::{ManufactureError, manufacture};
 use volver::case::{Description, FileError};
+use volver::report::cases::Derived;
 
 /// What a command line may say where it takes a case, for help texts.
 pub(crate) const SOURCES: &str = "\
 CASE is a name that 'volver cases' lists (sine-squared), one channel of such a
 case (rgb-transfer/red), or a file: any path with a / in it or .toml at its end,
 and - for standard input. docs/cases.md describes files.";
-
-/// A case as it was described, and what became of each channel.
-pub(crate) struct Loaded {
-    /// What the file says, of the chosen channels.
-    pub(crate) description: Description,
-    /// At least one.
-    pub(crate) cases: Vec<Manufactured>,
-}
 
 /// Where a case comes from.
 enum Source<'a> {
@@ -39,7 +28,7 @@ enum Source<'a> {
 }
 
 /// Finds, reads, derives and checks the case that `argument` names.
-pub(crate) fn load(argument: &str) -> Result<Loaded, Failure> {
+pub(crate) fn load(argument: &str) -> Result<Derived, Failure> {
     let description = match source(argument)? {
         Source::Catalogue { name, channel } => {
             let description = catalogue::find(name).ok_or_else(|| unknown(name))?;
@@ -56,9 +45,9 @@ pub(crate) fn load(argument: &str) -> Result<Loaded, Failure> {
 }
 
 /// Derives and checks what a file describes; `path` is for messages.
-pub(crate) fn derive(path: &str, description: Description) -> Result<Loaded, Failure> {
+pub(crate) fn derive(path: &str, description: Description) -> Result<Derived, Failure> {
     match manufacture(&description) {
-        Ok(cases) => Ok(Loaded { description, cases }),
+        Ok(cases) => Ok(Derived { description, cases }),
         Err(error @ ManufactureError::Refuted { .. }) => Err(Failure::Refuted {
             path: path.into(),
             error: Box::new(error),

@@ -1,14 +1,28 @@
 //! `volver cases`: what there is to verify against, and each case in full.
 
-mod table;
-
-use super::case::{self, Loaded, SOURCES, json};
-use super::{Failure, Outcome, write_out};
+use super::about::about;
+use super::case::{self, SOURCES};
+use super::output::Output;
+use super::{Color, Failure, Outcome};
 use clap::Args;
 use rayon::prelude::*;
+use std::collections::BTreeSet;
 use std::path::{Path, PathBuf};
 use volver::case::catalogue;
-use volver::report;
+use volver::document::Figure;
+use volver::render::svg;
+use volver::report::ReportError;
+use volver::report::cases::{Derived, document, json, list};
+use volver::report::plots::of_case;
+
+/// What the help says of the document.
+pub(crate) const JSON: &str = "\
+JSON: volver (its version) and cases, an object a channel: name, channel, title,
+tags, length, formulas (field, extinction, emission, optical_depth, radiance, and
+extinction_along and emission_along of lambda), optical_depth and radiance at the
+far end, checks (statement, claim, outcome, at, value), closed_form, proved,
+suits_kernels, degenerate, breaks (part of the length, powers in extinction and
+source), orders (method, order, theorem). Exact numbers are text, as in \"1/3\"; a value below 1e-300 is a string.";
 
 /// Print cases: all of the catalogue, or one with its formulas, checks and derivation
 #[derive(Args)]
@@ -36,14 +50,13 @@ The list has a line a channel: D, the total optical depth t(D) and the exact
 radiance I(D) to six digits, and whether the closed form is proved. What is not
 proved stands below its line.
 
-{}
+{JSON}
 
 Examples:
   volver cases
   volver cases --tag jump --tag off-node
   volver cases sine-squared
-  volver cases rgb-transfer/red --json -",
-        json::HELP
+  volver cases rgb-transfer/red --json -"
     )
 }
 
@@ -57,25 +70,22 @@ pub(crate) fn figure_file(text: &str) -> Result<PathBuf, &'static str> {
 
 impl Cases {
     pub(crate) fn run(self) -> Result<Outcome, Failure> {
-        check_places(self.json.as_deref(), self.plot.as_deref())?;
-        let (loaded, text) = if let Some(name) = &self.name {
-            let loaded = case::load(name)?;
-            let text = case::text::render(&loaded, super::width(), true);
-            (vec![loaded], text)
-        } else {
-            let loaded = self.listed()?;
-            let text = table::render(&loaded, &self.tags, super::width());
-            (loaded, text)
+        let output = output(self.json.as_deref(), self.plot.as_deref());
+        output.check()?;
+        let derived = match &self.name {
+            Some(name) => vec![case::load(name)?],
+            None => self.listed()?,
         };
-        if let (Some(file), Some(loaded)) = (&self.plot, loaded.first()) {
-            plot(file, loaded)?;
-        }
-        write(&text, self.json.as_deref(), &loaded)?;
+        let document = match (&self.name, &derived[..]) {
+            (Some(_), [case]) => document(case, true, &about()),
+            _ => list(&derived, &self.tags, &about()),
+        };
+        output.show(&document, |option| form(option, &derived))?;
         Ok(Outcome::Good)
     }
 
     /// The cases of the catalogue with all the tags.
-    fn listed(&self) -> Result<Vec<Loaded>, Failure> {
+    fn listed(&self) -> Result<Vec<Derived>, Failure> {
         let described = catalogue::names().filter_map(|name| Some((name, catalogue::find(name)?)));
         let described = described.map(|(name, description)| {
             let path = || name.to_string();
@@ -86,7 +96,8 @@ impl Cases {
             description.map_err(in_file)
         });
         let mut described: Vec<_> = described.collect::<Result<_, _>>()?;
-        let known = table::tags(described.iter().map(|d| &d.tags[..]));
+        let known = described.iter().flat_map(|d| &d.tags);
+        let known: BTreeSet<&str> = known.map(String::as_str).collect();
         if let Some(unknown) = self.tags.iter().find(|tag| !known.contains(tag.as_str())) {
             let known: Vec<&str> = known.into_iter().collect();
             return Err(Failure::Usage(format!(
@@ -103,36 +114,23 @@ impl Cases {
     }
 }
 
-/// Refuses places that cannot be written before the work is done.
-pub(crate) fn check_places(json: Option<&Path>, plot: Option<&Path>) -> Result<(), Failure> {
-    let json = json.filter(|file| *file != Path::new("-"));
-    for file in [json, plot].into_iter().flatten() {
-        report::check_file(file)?;
+/// Where JSON and a figure go.
+pub(crate) fn output<'a>(json: Option<&'a Path>, plot: Option<&'a Path>) -> Output<'a> {
+    Output {
+        out: None,
+        files: vec![("--plot", plot), ("--json", json)],
+        quiet: false,
+        color: Color::Never,
     }
-    Ok(())
 }
 
-/// Draws all channels that were loaded.
-pub(crate) fn plot(file: &Path, loaded: &Loaded) -> Result<(), Failure> {
-    let description = &loaded.description;
-    let title = if description.title.is_empty() {
-        &description.name
-    } else {
-        &description.title
-    };
-    let figure = report::svg::case_plot(title, &loaded.cases)?;
-    Ok(report::write_file(file, &figure)?)
-}
-
-/// The JSON document to its place, and the text to standard output unless that is the document's.
-pub(crate) fn write(text: &str, json: Option<&Path>, loaded: &[Loaded]) -> Result<(), Failure> {
-    let Some(file) = json else {
-        return write_out(text);
-    };
-    let document = json::render(loaded.iter()).map_err(|error| Failure::Output(error.into()))?;
-    if file == Path::new("-") {
-        return write_out(&document);
+/// JSON of all cases, or a figure of the first with all its channels.
+pub(crate) fn form(option: &str, derived: &[Derived]) -> Result<String, ReportError> {
+    match (option, derived) {
+        ("--plot", [case, ..]) => {
+            let figure = Figure::new("", case.title(), of_case(&case.cases));
+            Ok(svg::figure(&figure))
+        }
+        _ => json(derived),
     }
-    report::write_file(file, &document)?;
-    write_out(text)
 }

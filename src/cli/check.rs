@@ -2,7 +2,7 @@
 
 use super::input::read;
 use super::kernel::{KERNELS, KernelArguments, subjects};
-use super::verify::{Table, outcome};
+use super::verify::{Rows, outcome};
 use super::{Color, Failure, Outcome, write_out};
 use clap::Args;
 use std::fmt::Write;
@@ -46,10 +46,11 @@ impl Check {
         let settings = baseline.settings().map_err(wrong)?;
         let subjects = subjects(&baseline.cases, &self.baseline)?;
         let mut kernel = self.kernel.start()?;
-        let mut table = Table::new(!self.quiet, self.color);
-        let verification = table.run(kernel.as_mut(), &subjects, &settings, &self.kernel)?;
+        let mut rows = Rows::new(!self.quiet, self.color);
+        let verification = rows.run(kernel.as_mut(), &subjects, &settings, &self.kernel)?;
         drop(kernel);
-        table.finish()?;
+        rows.close(&verification);
+        rows.finish()?;
         if verification.conclusion() == Conclusion::CouldNotRun {
             return outcome(&verification, &self.kernel);
         }

@@ -1,14 +1,15 @@
 //! `volver fit`: an order and a verdict from a table of steps and errors, or values.
 
-mod json;
-mod text;
-
+use super::about::about;
 use super::input::read;
-use super::{Color, Failure, Outcome, write_out};
+use super::output::Output;
+use super::{Color, Failure, Outcome};
 use clap::Args;
-use volver::convergence::table::{self, FloorSource, Levels, Reading};
-use volver::convergence::{Decimal, Fit as Fitted, Sample, fit, fit_differences};
+use std::path::Path;
+use volver::convergence::table::{self, Levels, Reading};
+use volver::convergence::{Decimal, fit, fit_differences};
 use volver::method::Expected;
+use volver::report::fit::{Fitted, Source, document, json};
 
 const EXAMPLES: &str = "\
 FILE has one row a level: step and error, separated by commas, semicolons, tabs
@@ -52,35 +53,27 @@ pub(crate) struct Fit {
     color: Color,
 }
 
-/// Everything there is to report.
-struct Report {
-    fit: Fitted,
-    samples: Vec<Sample>,
-    expected: Option<Expected>,
-    floor_source: FloorSource,
-    source: &'static str,
-}
-
 impl Fit {
     pub(crate) fn run(self) -> Result<Outcome, Failure> {
         let text = read(&self.file)?;
-        let report = self.fit(&text).map_err(|error| Failure::Content {
+        let fitted = self.fit(&text).map_err(|error| Failure::Content {
             path: self.file.clone(),
             error,
         })?;
-        let output = if self.json {
-            json::render(&report).map_err(|error| Failure::Output(error.into()))?
-        } else {
-            text::render(&report, self.color.is_on())
+        let output = Output {
+            out: None,
+            files: vec![("--json", self.json.then_some(Path::new("-")))],
+            quiet: false,
+            color: self.color,
         };
-        write_out(&output)?;
+        output.show(&document(&fitted, &about()), |_| json(&fitted))?;
         match self.expect {
-            Some(_) if !report.fit.verdict.passes(self.expect) => Ok(Outcome::CheckFailed),
+            Some(_) if !fitted.fit.verdict.passes(self.expect) => Ok(Outcome::CheckFailed),
             _ => Ok(Outcome::Good),
         }
     }
 
-    fn fit(&self, text: &str) -> anyhow::Result<Report> {
+    fn fit(&self, text: &str) -> anyhow::Result<Fitted> {
         let reading = Reading {
             exact: self.exact.as_ref().map(|x| x.value.clone()),
             differences: self.richardson,
@@ -89,19 +82,18 @@ impl Fit {
         let table = table::read(text, &reading)?;
         let (fit, samples, source) = match table.levels {
             Levels::Errors(samples) => {
-                let source = if self.exact.is_some() {
-                    "exact"
-                } else {
-                    "errors"
+                let source = match self.exact {
+                    Some(_) => Source::Exact,
+                    None => Source::Errors,
                 };
                 (fit(&samples, self.expect)?, samples, source)
             }
             Levels::Values(values) => {
                 let found = fit_differences(&values, self.expect)?;
-                (found.fit, found.samples, "differences")
+                (found.fit, found.samples, Source::Differences)
             }
         };
-        Ok(Report {
+        Ok(Fitted {
             fit,
             samples,
             expected: self.expect,

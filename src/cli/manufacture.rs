@@ -1,14 +1,14 @@
 //! `volver manufacture`: a case derived from a file, as text, LaTeX or source code.
 
-mod code;
-mod latex;
-
-use super::case::{self, SOURCES, json};
-use super::cases::{check_places, figure_file, plot, write};
+use super::about::about;
+use super::case::{self, SOURCES};
+use super::cases::{JSON, figure_file, form, output};
 use super::{Failure, Outcome};
 use clap::Args;
 use std::path::{Path, PathBuf};
+use std::slice::from_ref;
 use std::str::FromStr;
+use volver::report::cases::{code, document, latex};
 use volver::symbolic::code::Language;
 
 /// Derive a case with an exact radiance from a file, and check it
@@ -43,14 +43,13 @@ Code has LENGTH and the functions field(lambda), extinction(s), emission(s),
 optical_depth(lambda) and radiance(lambda); of several channels, emission_NAME and
 radiance_NAME.
 
-{}
+{JSON}
 
 Examples:
   printf 'name=\"a\"\\nlength=1\\ndepth=\"lambda\"\\nradiance=\"lambda\"' | volver manufacture -
   volver manufacture rgb-transfer --code python
   volver manufacture sine-squared --latex
-  volver manufacture sine-squared --json -",
-        json::HELP
+  volver manufacture sine-squared --json -"
     )
 }
 
@@ -62,22 +61,21 @@ impl Manufacture {
                 "'--json -' and '{other}' both go to standard output (allowed: --json with a file)"
             )));
         }
-        check_places(self.json.as_deref(), self.plot.as_deref())?;
-        let loaded = case::load(&self.case)?;
-        let text = match self.code {
+        let output = output(self.json.as_deref(), self.plot.as_deref());
+        output.check()?;
+        let derived = case::load(&self.case)?;
+        let form = |option: &str| form(option, from_ref(&derived));
+        match self.code {
             Some(language) => {
-                code::render(&loaded, language).map_err(|error| Failure::Content {
+                let code = code(&derived, language).map_err(|error| Failure::Content {
                     path: self.case.clone(),
                     error: error.into(),
-                })?
+                })?;
+                output.print(code, form)?;
             }
-            None if self.latex => latex::render(&loaded),
-            None => case::text::render(&loaded, super::width(), false),
-        };
-        if let Some(file) = &self.plot {
-            plot(file, &loaded)?;
+            None if self.latex => output.print(latex(&derived), form)?,
+            None => output.show(&document(&derived, false, &about()), form)?,
         }
-        write(&text, self.json.as_deref(), std::slice::from_ref(&loaded))?;
         Ok(Outcome::Good)
     }
 }

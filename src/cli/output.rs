@@ -41,6 +41,15 @@ impl Output<'_> {
         !self.quiet && !self.files.iter().any(|(_, file)| is_dash(*file))
     }
 
+    /// The document as text, and of each option the form that `form` makes.
+    pub(super) fn show(
+        &self,
+        document: &Document,
+        form: impl Fn(&str) -> Result<String, ReportError>,
+    ) -> Result<(), Failure> {
+        self.hand_out(document, |_| Ok(Vec::new()), form)
+    }
+
     /// The document as text, `write`'s files into the directory, and of each option the form that `form` makes.
     pub(super) fn hand_out(
         &self,
@@ -50,7 +59,7 @@ impl Output<'_> {
     ) -> Result<(), Failure> {
         let mut printed = String::new();
         if self.prints_text() {
-            printed += &render::terminal(document, width(), self.color.is_on());
+            printed = render::terminal(document, width(), self.color.is_on());
         }
         if let Some(directory) = self.out {
             let files = write(directory)?;
@@ -59,6 +68,16 @@ impl Output<'_> {
                 let _ = writeln!(printed, "{} files in {}", files.len(), directory.display());
             }
         }
+        self.print(printed, form)
+    }
+
+    /// This text, and of each option the form that `form` makes.
+    pub(super) fn print(
+        &self,
+        text: String,
+        form: impl Fn(&str) -> Result<String, ReportError>,
+    ) -> Result<(), Failure> {
+        let mut printed = text;
         for (option, file) in &self.files {
             if let Some(file) = file {
                 put(file, &form(option)?, &mut printed)?;
@@ -75,7 +94,7 @@ pub(super) fn csv(document: &Document) -> Result<String, ReportError> {
 }
 
 /// Into a file, or to what is printed.
-fn put(file: &Path, text: &str, printed: &mut String) -> Result<(), Failure> {
+pub(super) fn put(file: &Path, text: &str, printed: &mut String) -> Result<(), Failure> {
     if is_dash(Some(file)) {
         printed.push_str(text);
         return Ok(());
@@ -84,7 +103,7 @@ fn put(file: &Path, text: &str, printed: &mut String) -> Result<(), Failure> {
 }
 
 /// Whether standard output is meant.
-fn is_dash(file: Option<&Path>) -> bool {
+pub(super) fn is_dash(file: Option<&Path>) -> bool {
     file == Some(Path::new("-"))
 }
 

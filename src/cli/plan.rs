@@ -1,13 +1,14 @@
 //! `volver plan`: the least model of a scene that is enough.
 
 use super::about::about;
+use super::output::Output;
 use super::scene::load;
-use super::{Color, Failure, Outcome, width, write_out};
+use super::{Color, Failure, Outcome};
 use clap::{Args, ValueEnum};
-use std::path::{Path, PathBuf};
+use std::path::PathBuf;
 use std::str::FromStr;
 use volver::real::{Format, FormatName, Native};
-use volver::report::{self, plan as pages};
+use volver::report::plan::{document, json, write};
 use volver::scene::Scene;
 use volver::study::plan::{Cost, Plan, Settings, TimeCost};
 use volver::symbolic::parse_number;
@@ -83,13 +84,8 @@ fn tolerance(text: &str) -> Result<f64, String> {
 impl PlanScene {
     pub(crate) fn run(self) -> Result<Outcome, Failure> {
         let formats = self.formats()?;
-        if let Some(directory) = &self.out {
-            report::prepare_directory(directory)?;
-        }
-        let json = self.json.as_deref();
-        if let Some(file) = json.filter(|file| *file != Path::new("-")) {
-            report::check_file(file)?;
-        }
+        let output = self.output();
+        output.check()?;
         let scene = load(&self.scene)?;
         let settings = Settings {
             tolerance: self.tolerance,
@@ -112,7 +108,11 @@ impl PlanScene {
                 outcome = Outcome::CheckFailed;
             }
         }
-        self.hand_out(&plan)?;
+        output.hand_out(
+            &document(&plan, self.explain, &about()),
+            |directory| write(directory, &plan, &about()),
+            |_| json(&plan),
+        )?;
         Ok(outcome)
     }
 
@@ -152,25 +152,12 @@ impl PlanScene {
         }
     }
 
-    fn hand_out(&self, plan: &Plan) -> Result<(), Failure> {
-        if let Some(directory) = &self.out {
-            pages::write(directory, plan, &about())?;
-        }
-        let prints_json = self.json.as_deref() == Some(Path::new("-"));
-        if let Some(file) = self.json.as_deref().filter(|_| !prints_json) {
-            report::write_file(file, &pages::json(plan)?)?;
-        }
-        if prints_json {
-            write_out(&pages::json(plan)?)
-        } else if self.quiet {
-            Ok(())
-        } else {
-            write_out(&pages::text(
-                plan,
-                self.explain,
-                width(),
-                self.color.is_on(),
-            ))
+    fn output(&self) -> Output<'_> {
+        Output {
+            out: self.out.as_deref(),
+            files: vec![("--json", self.json.as_deref())],
+            quiet: self.quiet,
+            color: self.color,
         }
     }
 }

@@ -1,22 +1,28 @@
 //! `volver prove`: cases as theorems, checked by Coq where it is installed.
 
-mod json;
-mod outcome;
-
-use super::case::{self, Loaded, SOURCES};
-use super::{Bar, Failure, Outcome, write_out};
+use super::about::about;
+use super::case::{self, SOURCES};
+use super::output::Output;
+use super::{Bar, Color, Failure, Outcome, width, write_out};
 use clap::Args;
-use outcome::{Fate, Proof, summary};
 use rayon::prelude::*;
 use std::ffi::OsString;
 use std::fs;
-use std::path::{Path, PathBuf};
+use std::path::PathBuf;
 use std::sync::Mutex;
 use std::time::Duration;
 use volver::case::catalogue;
 use volver::proof::{Coq, MARK, Script, Verdict, script};
-use volver::report;
+use volver::render;
+use volver::report::cases::Derived;
+use volver::report::proofs::{Fate, Proof, document, json, row, table};
 use volver::study::Progress;
+
+/// What the help says of the document.
+const JSON: &str = "\
+JSON: volver (its version) and proofs, an object a case: case, file, theorems (as
+Coq calls them in the file), outcome (proved, failed, not checked, not stated) and
+reason, which is Coq's message where the proof failed.";
 
 /// State cases as theorems and have Coq check them
 #[derive(Args)]
@@ -66,24 +72,22 @@ Coquelicot (Debian: apt-get install coq libcoq-coquelicot), and seconds a case.
 The exit code is 1 where a theorem failed, or was not checked although --no-check did
 not ask for that. A file that volver did not write is not overwritten.
 
-{}
+{JSON}
 
 Examples:
   volver prove sine-squared --no-check --write target/proofs
-  volver prove --all --no-check --write target/proofs --json -",
-        json::HELP
+  volver prove --all --no-check --write target/proofs --json -"
     )
 }
 
 impl Prove {
     pub(crate) fn run(self) -> Result<Outcome, Failure> {
-        if let Some(file) = self.json.as_deref().filter(|file| *file != Path::new("-")) {
-            report::check_file(file)?;
-        }
+        let output = self.output();
+        output.check()?;
         let loaded = self.loaded()?;
         let mut proofs = Vec::new();
         let mut scripts = Vec::new();
-        for Loaded { description, cases } in &loaded {
+        for Derived { description, cases } in &loaded {
             match script(description, cases) {
                 Ok(script) => scripts.push((description.name.clone(), script)),
                 Err(error) if self.all => {
@@ -100,7 +104,7 @@ impl Prove {
                 }
             }
         }
-        let quiet = self.json.as_deref() == Some(Path::new("-"));
+        let quiet = !output.prints_text();
         for proof in &proofs {
             say(proof, quiet)?;
         }
@@ -110,10 +114,19 @@ impl Prove {
             .collect::<Result<_, _>>()?;
         proofs.extend(self.check(&scripts, &files, quiet)?);
         proofs.sort_by(|a, b| a.case.cmp(&b.case));
-        self.finish(&proofs, quiet)
+        self.finish(&proofs)
     }
 
-    fn loaded(&self) -> Result<Vec<Loaded>, Failure> {
+    fn output(&self) -> Output<'_> {
+        Output {
+            out: None,
+            files: vec![("--json", self.json.as_deref())],
+            quiet: false,
+            color: Color::Never,
+        }
+    }
+
+    fn loaded(&self) -> Result<Vec<Derived>, Failure> {
         match &self.case {
             Some(case) => Ok(vec![case::load(case)?]),
             None => catalogue::names()
@@ -138,7 +151,7 @@ impl Prove {
             )));
         }
         fs::create_dir_all(&self.write).map_err(cannot)?;
-        report::write_file(&file, &script.text)?;
+        render::write_file(&file, &script.text)?;
         Ok(file)
     }
 
@@ -188,18 +201,14 @@ impl Prove {
         Ok(proofs)
     }
 
-    fn finish(&self, proofs: &[Proof], quiet: bool) -> Result<Outcome, Failure> {
-        if let Some(file) = &self.json {
-            let document = json::render(proofs).map_err(|error| Failure::Output(error.into()))?;
-            if file == Path::new("-") {
-                write_out(&document)?;
-            } else {
-                report::write_file(file, &document)?;
-            }
+    fn finish(&self, proofs: &[Proof]) -> Result<Outcome, Failure> {
+        let mut last = String::new();
+        let output = self.output();
+        if self.all && output.prints_text() {
+            let conclusion = document(proofs, &about()).conclusion;
+            last = conclusion.map_or(last, |conclusion| conclusion.words + "\n");
         }
-        if self.all && !quiet {
-            write_out(&summary(proofs))?;
-        }
+        output.print(last, |_| json(proofs))?;
         let good = proofs.iter().all(|proof| match proof.fate {
             Fate::Proved | Fate::NotStated(_) => true,
             Fate::NotChecked(_) => self.no_check,
@@ -217,5 +226,10 @@ fn say(proof: &Proof, quiet: bool) -> Result<(), Failure> {
     if quiet {
         return Ok(());
     }
-    write_out(&proof.to_string())
+    write_out(&render::terminal::row(
+        &table(),
+        &row(proof),
+        width(),
+        false,
+    ))
 }

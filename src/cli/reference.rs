@@ -1,17 +1,18 @@
 //! `volver reference`: the radiance of a case to any number of digits.
 
-mod json;
-mod text;
-
+use super::about::about;
 use super::case::{self, SOURCES};
-use super::{Failure, Outcome, write_out};
+use super::output::Output;
+use super::{Color, Failure, Outcome};
 use clap::Args;
 use rayon::prelude::*;
 use rug::Float;
 use std::f64::consts::LOG2_10;
+use std::path::Path;
 use volver::case::SymbolicCase;
 use volver::case::manufacture::Manufactured;
 use volver::reference::{Reference, ReferenceError, Source, radiance, spectral_radiance};
+use volver::report::reference::{Difference, Found, document, json};
 
 /// The most digits that can be asked for.
 const MAX_DIGITS: u32 = 10_000;
@@ -65,20 +66,6 @@ fn digits(text: &str) -> Result<u32, String> {
     digits.ok_or_else(|| format!("no number of digits (allowed: 1 to {MAX_DIGITS})"))
 }
 
-/// What was found of a channel.
-struct Found<'c> {
-    case: &'c Manufactured,
-    reference: Reference,
-    /// |spectral − closed form|, where both were asked for and exist.
-    difference: Option<Difference>,
-}
-
-/// How far the oracle is from a closed form.
-struct Difference {
-    amount: Float,
-    is_within_errors: bool,
-}
-
 impl ReferenceValue {
     pub(crate) fn run(self) -> Result<Outcome, Failure> {
         let loaded = case::load(&self.case)?;
@@ -91,12 +78,14 @@ impl ReferenceValue {
             path: self.case.clone(),
             error: error.into(),
         })?;
-        let text = if self.json {
-            json::render(&found, self.digits).map_err(|error| Failure::Output(error.into()))?
-        } else {
-            text::render(&found, self.digits)
+        let output = Output {
+            out: None,
+            files: vec![("--json", self.json.then_some(Path::new("-")))],
+            quiet: false,
+            color: Color::Never,
         };
-        write_out(&text)?;
+        let document = document(&found, self.digits, &about());
+        output.show(&document, |_| json(&found, self.digits))?;
         let mut differences = found.iter().filter_map(|found| found.difference.as_ref());
         Ok(
             if differences.all(|difference| difference.is_within_errors) {
@@ -142,12 +131,4 @@ fn difference(
         is_within_errors: amount <= allowed,
         amount,
     }))
-}
-
-/// What a source is called.
-fn source_name(source: Source) -> &'static str {
-    match source {
-        Source::ClosedForm => "closed form",
-        Source::Spectral => "spectral",
-    }
 }

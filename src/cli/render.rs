@@ -1,13 +1,14 @@
 //! `volver render`: a plan, run.
 
+use super::about::about;
 use super::input::read;
 use super::scene::load;
-use super::{Failure, Outcome, write_out};
+use super::{Failure, Outcome, width, write_out};
 use clap::Args;
-use serde::Serialize;
-use std::fmt::Write;
 use std::str::FromStr;
 use volver::real::{Format, FormatName, WithFormat};
+use volver::render::terminal;
+use volver::report::plan::Rendering;
 use volver::study::plan::{Plan, PlanError, StoredPlan};
 
 const EXAMPLES: &str = "\
@@ -36,24 +37,6 @@ pub(crate) struct Render {
     json: bool,
 }
 
-/// What came out.
-#[derive(Serialize)]
-struct Rendering {
-    volver: &'static str,
-    scene: String,
-    format: String,
-    evaluations: u64,
-    channels: Vec<Of>,
-}
-
-/// One channel.
-#[derive(Serialize)]
-struct Of {
-    channel: String,
-    radiance: String,
-    transmittance: String,
-}
-
 impl Render {
     pub(crate) fn run(self) -> Result<Outcome, Failure> {
         if self.scene == "-" && self.plan == "-" {
@@ -78,10 +61,9 @@ impl Render {
             .with(Running { plan: &plan })
             .map_err(|error| wrong(error.into()))?;
         let text = if self.json {
-            let json = serde_json::to_string_pretty(&rendering);
-            json.map_err(|error| Failure::Output(error.into()))? + "\n"
+            rendering.json()?
         } else {
-            rendering.text()
+            terminal(&rendering.document(&about()), width(), false)
         };
         write_out(&text)?;
         Ok(Outcome::Good)
@@ -97,47 +79,6 @@ impl WithFormat for Running<'_> {
 
     fn run<F: Format>(self, format: F) -> Self::Output {
         let rendered = self.plan.run_in(format)?;
-        let both = rendered.radiance.iter().zip(&rendered.transmittance);
-        let names = self.plan.scene().channels().iter();
-        Ok(Rendering {
-            volver: env!("CARGO_PKG_VERSION"),
-            scene: self.plan.scene().name().into(),
-            format: format.to_string(),
-            evaluations: rendered.evaluations,
-            channels: names
-                .zip(both)
-                .map(|(name, (radiance, transmittance))| Of {
-                    channel: name.clone(),
-                    radiance: radiance.to_string(),
-                    transmittance: transmittance.to_string(),
-                })
-                .collect(),
-        })
-    }
-}
-
-impl Rendering {
-    fn text(&self) -> String {
-        let mut text = String::new();
-        for channel in &self.channels {
-            let name = if channel.channel.is_empty() {
-                String::new()
-            } else {
-                format!("{}: ", channel.channel)
-            };
-            // Writing to a String does not fail.
-            let _ = writeln!(
-                text,
-                "{name}radiance {}, transmittance {}",
-                channel.radiance, channel.transmittance
-            );
-        }
-        let plural = if self.evaluations == 1 { "" } else { "s" };
-        let _ = writeln!(
-            text,
-            "{} evaluation{plural} in {}",
-            self.evaluations, self.format
-        );
-        text
+        Ok(Rendering::new(self.plan, format, &rendered))
     }
 }

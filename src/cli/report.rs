@@ -4,8 +4,7 @@ use super::about::about;
 use super::{Failure, Outcome, write_out};
 use clap::Args;
 use std::path::{Path, PathBuf};
-use volver::render::html;
-use volver::report;
+use volver::render::{self, html};
 use volver::report::comparison::{Comparison, compare, read_all};
 
 /// What the page is called where nothing else is said.
@@ -43,12 +42,12 @@ impl Report {
             read_all(&self.directories).map_err(|error| Failure::Usage(error.to_string()))?;
         let file = place(self.out.as_deref());
         match file.parent() {
-            Some(parent) if !parent.as_os_str().is_empty() => report::prepare_directory(parent)?,
+            Some(parent) if !parent.as_os_str().is_empty() => render::prepare_directory(parent)?,
             _ => {}
         }
-        report::check_file(&file)?;
+        render::check_file(&file)?;
         let comparison = compare(&parts, about());
-        report::write_file(&file, &html::render(&comparison.page)?)?;
+        render::write_file(&file, &html::render(&comparison.page)?)?;
         if !self.quiet {
             write_out(&summary(&comparison, parts.len(), &file))?;
         }

@@ -1,17 +1,16 @@
 //! `volver stress`: digits and verdicts at the extremes.
 
-use super::Bar;
 use super::about::about;
-use super::{Color, Failure, Outcome, width, write_out};
+use super::output::Output;
+use super::{Bar, Color, Failure, Outcome};
 use clap::Args;
 use clap::builder::RangedU64ValueParser;
-use std::fmt::Write;
-use std::path::{Path, PathBuf};
+use std::path::PathBuf;
 use std::str::FromStr;
 use volver::convergence::Ladder;
 use volver::method::{Method, MethodNameError};
 use volver::real::{FormatError, FormatName};
-use volver::report::{self, stress};
+use volver::report::stress::{document, json, write};
 use volver::study::stress::{
     Cell, FORMATS, GROUPS, LEVELS, METHODS, Scenario, Settings, run, scenarios, work,
 };
@@ -100,17 +99,17 @@ impl FromStr for Formats {
 impl Stress {
     pub(crate) fn run(self) -> Result<Outcome, Failure> {
         let settings = self.settings()?;
-        if let Some(directory) = &self.out {
-            report::prepare_directory(directory)?;
-        }
-        if let Some(file) = self.json.as_deref().filter(|file| *file != Path::new("-")) {
-            report::check_file(file)?;
-        }
+        let output = self.output();
+        output.check()?;
         let bar = Bar::new(work(&settings));
         let cells = run(&settings, &bar);
         bar.finish();
         let cells = cells.map_err(|error| Failure::Usage(error.to_string()))?;
-        self.hand_out(&cells)?;
+        output.hand_out(
+            &document(&cells, &about()),
+            |directory| write(directory, &cells, &about()),
+            |_| json(&cells),
+        )?;
         Ok(if cells.iter().any(Cell::is_silently_wrong) {
             Outcome::CheckFailed
         } else {
@@ -156,27 +155,13 @@ impl Stress {
         })
     }
 
-    fn hand_out(&self, cells: &[Cell]) -> Result<(), Failure> {
-        let tables = !self.quiet && self.json.as_deref() != Some(Path::new("-"));
-        let mut printed = String::new();
-        if tables {
-            printed += &stress::text(cells, width(), self.color.is_on());
+    fn output(&self) -> Output<'_> {
+        Output {
+            out: self.out.as_deref(),
+            files: vec![("--json", self.json.as_deref())],
+            quiet: self.quiet,
+            color: self.color,
         }
-        if let Some(directory) = &self.out {
-            let files = stress::write(directory, cells, &about())?;
-            if tables {
-                let _ = writeln!(printed, "{} files in {}", files.len(), directory.display());
-            }
-        }
-        if let Some(file) = &self.json {
-            let json = stress::json(cells)?;
-            if file == Path::new("-") {
-                printed += &json;
-            } else {
-                report::write_file(file, &json)?;
-            }
-        }
-        write_out(&printed)
     }
 }
 

@@ -2,14 +2,16 @@
 
 use super::about::about;
 use super::kernel::{KERNELS, KernelArguments, subjects};
+use super::output::{Output, is_dash};
 use super::{Bar, Color, Failure, Outcome, width, write_out};
 use clap::{Args, ValueEnum};
 use rug::Rational;
-use std::path::{Path, PathBuf};
+use std::path::PathBuf;
 use std::str::FromStr;
 use volver::convergence::Ladder;
 use volver::kernel::{Kernel, Subject};
-use volver::report::{self, verify as shown};
+use volver::render::terminal;
+use volver::report::verify::{document, heading, json, junit, row, write};
 use volver::study::verify::{
     Axis, Baseline, Conclusion, Line, REPLICAS, Settings, SettingsError, Verification, verify,
 };
@@ -95,7 +97,8 @@ fn settings(ladder: Option<&Ladder>) -> Result<Settings, Failure> {
 
 impl Verify {
     pub(crate) fn run(self) -> Result<Outcome, Failure> {
-        let is_alone = self.check_outputs()?;
+        let output = self.output();
+        check_dashes(&output)?;
         let mut settings = settings(self.ladder.as_ref())?;
         settings.axis = match self.axis {
             RefinedAxis::Step => Axis::Step,
@@ -105,84 +108,62 @@ impl Verify {
         settings.expect.clone_from(&self.expect);
         settings.replicas = self.replicas.unwrap_or(REPLICAS);
         let subjects = subjects(&self.cases, "--cases")?;
-        if let Some(directory) = &self.out {
-            report::prepare_directory(directory)?;
-        }
-        let files = self.outputs().into_iter();
-        for (_, file) in files.filter(|(_, file)| !is_dash(file)) {
-            report::check_file(file)?;
-        }
+        output.check()?;
         let mut kernel = self.kernel.start()?;
-        let mut table = Table::new(!self.quiet && is_alone, self.color);
-        let verification = table.run(kernel.as_mut(), &subjects, &settings, &self.kernel)?;
+        let mut rows = Rows::new(output.prints_text(), self.color);
+        let verification = rows.run(kernel.as_mut(), &subjects, &settings, &self.kernel)?;
         // The child is gone before the last word.
         drop(kernel);
-        self.hand_out(&verification)?;
-        table.finish()?;
+        output.hand_out(
+            &document(&verification, &about()),
+            |directory| write(directory, &verification, &about()),
+            |option| match option {
+                "--json" => json(&verification),
+                "--junit" => Ok(junit(&verification)),
+                _ => Ok(Baseline::new(&verification, &self.cases).to_json()?),
+            },
+        )?;
+        rows.finish()?;
         outcome(&verification, &self.kernel)
     }
 
-    /// The files asked for, with their options.
-    fn outputs(&self) -> Vec<(&'static str, &Path)> {
-        let all = [
-            ("--json", &self.json),
-            ("--junit", &self.junit),
-            ("--save", &self.save),
-        ];
-        let given = all.into_iter();
-        given
-            .filter_map(|(option, file)| Some((option, file.as_deref()?)))
-            .collect()
-    }
-
-    /// Whether standard output is free for the table: it is for one thing at a time.
-    fn check_outputs(&self) -> Result<bool, Failure> {
-        let outputs = self.outputs().into_iter();
-        let printed: Vec<&str> = outputs
-            .filter(|(_, file)| is_dash(file))
-            .map(|(option, _)| option)
-            .collect();
-        match printed[..] {
-            [first, second, ..] => Err(Failure::Usage(format!(
-                "'{first} -' and '{second} -' both go to standard output (allowed: one of them)"
-            ))),
-            _ => Ok(printed.is_empty()),
+    fn output(&self) -> Output<'_> {
+        Output {
+            out: self.out.as_deref(),
+            files: vec![
+                ("--json", self.json.as_deref()),
+                ("--junit", self.junit.as_deref()),
+                ("--save", self.save.as_deref()),
+            ],
+            quiet: self.quiet,
+            color: self.color,
         }
     }
+}
 
-    fn hand_out(&self, verification: &Verification) -> Result<(), Failure> {
-        if let Some(directory) = &self.out {
-            shown::write(directory, verification, &about())?;
-        }
-        for (option, file) in self.outputs() {
-            let text = match option {
-                "--json" => shown::json(verification)?,
-                "--junit" => shown::junit(verification),
-                _ => Baseline::new(verification, &self.cases)
-                    .to_json()
-                    .map_err(|error| Failure::Output(error.into()))?,
-            };
-            if is_dash(file) {
-                write_out(&text)?;
-            } else {
-                report::write_file(file, &text)?;
-            }
-        }
-        Ok(())
+/// Standard output is for one thing at a time.
+fn check_dashes(output: &Output<'_>) -> Result<(), Failure> {
+    let printed = output.files.iter().filter(|(_, file)| is_dash(*file));
+    let printed: Vec<&str> = printed.map(|(option, _)| *option).collect();
+    match printed[..] {
+        [first, second, ..] => Err(Failure::Usage(format!(
+            "'{first} -' and '{second} -' both go to standard output (allowed: one of them)"
+        ))),
+        _ => Ok(()),
     }
 }
 
 /// Where rows go as they come.
-pub(super) struct Table {
+pub(super) struct Rows {
     printed: bool,
     color: bool,
     /// The first write that failed; nothing is written after it.
     failed: Option<Failure>,
 }
 
-impl Table {
+impl Rows {
     pub(super) fn new(printed: bool, color: Color) -> Self {
-        Table {
+        Rows {
             printed,
             color: color.is_on(),
             failed: None,
@@ -212,16 +193,22 @@ impl Table {
         let bar = Bar::new(work);
         let (width, color) = (width(), self.color);
         // Above the first row: what cannot be tested has no table.
-        let mut heading = shown::heading(color);
-        let mut row = |line: &Line| {
-            let text = std::mem::take(&mut heading) + &shown::row(line, width, color);
+        let mut head = heading(width, color);
+        let mut show = |line: &Line| {
+            let text = std::mem::take(&mut head) + &row(line, width, color);
             bar.above(|| self.print(&text));
         };
-        let verification = verify(kernel, subjects, settings, &bar, &mut row);
+        let verification = verify(kernel, subjects, settings, &bar, &mut show);
         bar.finish();
         let verification = verification.map_err(|error| named.failed(error))?;
-        self.print(&shown::closing(&verification, width, color));
+        self.print("\n");
         Ok(verification)
+    }
+
+    /// What the rows say.
+    pub(super) fn close(&mut self, verification: &Verification) {
+        let document = document(verification, &about());
+        self.print(&terminal(&document, width(), self.color));
     }
 }
 
@@ -240,8 +227,4 @@ pub(super) fn outcome(
             Err(named.failed(anyhow::anyhow!(why)))
         }
     }
-}
-
-fn is_dash(file: &(impl AsRef<Path> + ?Sized)) -> bool {
-    file.as_ref() == Path::new("-")
 }

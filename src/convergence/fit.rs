@@ -97,7 +97,7 @@ pub struct Fit {
 /// 4. The verdict follows the table at [`Verdict`].
 ///
 /// The interval contained the true order of synthetic errors c·dᵖ(1 + a·d + b·d²) plus roundoff in more than
-/// 99 % of the fits (`fit/coverage.rs` measures it: 99.2 % in binary32, 99.7 % in binary64).
+/// 99 % of the fits (`tests/orders/convergence/fit/coverage.rs` measures it: 99.2 % in binary32, 99.7 % in binary64).
 ///
 /// It does not promise that a plateau is the last one: an order shows as far as the ladder reaches.
 ///
@@ -185,8 +185,3 @@ fn last_order(
     };
     (Some(*last), Some(width), Some(finest.1 - last * finest.0))
 }
-
-#[cfg(test)]
-mod coverage;
-#[cfg(test)]
-mod tests;

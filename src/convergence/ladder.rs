@@ -220,6 +220,3 @@ fn count(levels: usize) -> Result<(), LadderError> {
         Err(LadderError::Count { levels })
     }
 }
-
-#[cfg(test)]
-mod tests;

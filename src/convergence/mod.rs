@@ -29,22 +29,20 @@
 //! # Ok::<(), volver::convergence::FitError>(())
 //! ```
 
-mod bootstrap;
+pub(crate) mod bootstrap;
 mod decimal;
 mod fit;
 mod ladder;
 pub(crate) mod line;
 mod model;
 mod note;
-#[cfg(test)]
-mod random;
 mod replicas;
-mod richardson;
+pub(crate) mod richardson;
 mod sample;
 mod split;
 pub mod table;
 mod transition;
-mod verdict;
+pub(crate) mod verdict;
 mod window;
 
 pub use decimal::Decimal;

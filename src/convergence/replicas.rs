@@ -89,7 +89,7 @@ pub struct StochasticFit {
 ///
 /// Intervals are meant to hold 99.9 %: percentiles of 20 000 resamples of whole replicas, drawn with
 /// `seed` (PCG64; the draws are the same on every platform) and widened by the t-distribution of R − 1 degrees
-/// of freedom and √(R/(R − 1)). On synthetic errors (`replicas/coverage.rs`: seven levels, 1500 trials each)
+/// of freedom and √(R/(R − 1)). On synthetic errors (`tests/orders/convergence/replicas/coverage.rs`: seven levels, 1500 trials each)
 /// they held the true order of the standard deviation in 99.9 % or more for normal and uniform errors and in
 /// 99.5 % or more for skewed χ² errors, from 8 replicas up; at 12 replicas and χ² errors plain percentiles
 /// held 98.7 %, basic intervals 95.4 %. The bias needs more replicas: 99.1 % at 8 and 99.7 % or more
@@ -155,8 +155,3 @@ pub fn fit_replicas(
     }
     Ok(fit)
 }
-
-#[cfg(test)]
-mod coverage;
-#[cfg(test)]
-mod tests;

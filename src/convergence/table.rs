@@ -248,6 +248,3 @@ fn levels(rows: Vec<Row>, columns: &Columns, reading: &Reading) -> Table {
         floor_source,
     }
 }
-
-#[cfg(test)]
-mod tests;

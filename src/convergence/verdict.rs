@@ -102,26 +102,33 @@ impl fmt::Display for Verdict {
 
 /// An order with its interval, as found in a window.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Estimate {
-    pub(super) order: f64,
-    pub(super) half_width: f64,
+pub struct Estimate {
+    /// The fitted order.
+    pub order: f64,
+    /// Half of the interval.
+    pub half_width: f64,
     /// The part of the half-width that comes from the floor.
-    pub(super) floor_share: f64,
-    pub(super) sign_change: bool,
+    pub floor_share: f64,
+    /// Errors of both signs stand in the window.
+    pub sign_change: bool,
 }
 
 /// How the errors move over the last levels.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) enum Trend {
+pub enum Trend {
+    /// At an order of −0.1 or less.
     Growing,
+    /// At an order between −0.1 and 0.1.
     Flat,
+    /// At an order of 0.1 or more from some level to the next.
     Converging,
 }
 
 impl Trend {
     /// Of the finest up to four (log₂ step, log₂ |error|), coarse to fine; `Converging` where fewer
     /// than three are given, which is too little to call it anything else.
-    pub(super) fn of(points: &[(f64, f64)]) -> Trend {
+    #[must_use]
+    pub fn of(points: &[(f64, f64)]) -> Trend {
         let tail = &points[points.len().saturating_sub(4)..];
         let converges = tail
             .windows(2)
@@ -141,7 +148,7 @@ impl Trend {
 
 /// What happens beyond the usable levels.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) enum Beyond {
+pub enum Beyond {
     /// There is nothing beyond: no level is at the floor.
     Nothing,
     /// All finer levels are at the floor.
@@ -154,23 +161,28 @@ pub(super) enum Beyond {
 
 /// Everything a verdict rests on.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Evidence {
-    pub(super) levels: usize,
-    pub(super) finite: bool,
+pub struct Evidence {
+    /// How many levels the ladder has.
+    pub levels: usize,
+    /// No error and no floor is NaN or infinite.
+    pub finite: bool,
     /// No level stands above the floor.
-    pub(super) all_at_floor: bool,
+    pub all_at_floor: bool,
     /// Every error is 0.
-    pub(super) all_zero: bool,
-    pub(super) beyond: Beyond,
+    pub all_zero: bool,
+    /// What happens beyond the usable levels.
+    pub beyond: Beyond,
     /// Trend of the usable levels.
-    pub(super) trend: Trend,
+    pub trend: Trend,
     /// Sign changes among the last four usable levels.
-    pub(super) late_sign_changes: usize,
-    pub(super) estimate: Option<Estimate>,
+    pub late_sign_changes: usize,
+    /// The order of the window, where there is one.
+    pub estimate: Option<Estimate>,
 }
 
 /// The verdict by the table at [`Verdict`].
-pub(super) fn judge(evidence: &Evidence, expected: Option<Expected>) -> Verdict {
+#[must_use]
+pub fn judge(evidence: &Evidence, expected: Option<Expected>) -> Verdict {
     let blind = matches!(expected, Some(Expected::Blind { .. }));
     let unless_blind = |verdict| if blind { Verdict::Blind } else { verdict };
     if !evidence.finite {
@@ -259,8 +271,3 @@ pub(super) fn remark_missing_floor(verdict: Verdict, floor_known: bool, notes: &
         notes.push(Note::FloorUnknown);
     }
 }
-
-#[cfg(test)]
-mod limits;
-#[cfg(test)]
-mod tests;

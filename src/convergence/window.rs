@@ -53,39 +53,3 @@ pub(super) fn find(orders: &[f64]) -> Option<(usize, f64)> {
 fn drifts(orders: &[f64]) -> bool {
     orders.is_sorted() || orders.iter().rev().is_sorted()
 }
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn the_tightest_tolerance_that_gives_four_levels_wins() {
-        assert_eq!(find(&[5.0, 2.015, 1.99, 2.0]), Some((3, 0.02)));
-        assert_eq!(find(&[1.96, 2.04, 1.99, 2.0]), Some((4, 0.05)));
-        assert_eq!(find(&[2.09, 1.95, 2.0, 1.93, 2.0]), Some((5, 0.1)));
-    }
-
-    #[test]
-    fn a_window_has_four_levels_and_touches_the_fine_end() {
-        assert_eq!(find(&[]), None);
-        assert_eq!(find(&[2.0, 2.0]), None);
-        assert_eq!(find(&[2.0, 2.0, 2.0]), Some((3, 0.02)));
-        assert_eq!(find(&[2.0, 2.0, 2.0, 2.0, 2.5]), None);
-    }
-
-    #[test]
-    fn a_tight_window_is_not_widened() {
-        assert_eq!(find(&[2.04, 2.0, 2.0, 2.0]), Some((3, 0.02)));
-    }
-
-    #[test]
-    fn monotone_drift_at_the_loosest_tolerance_is_no_plateau() {
-        // A transition from 4 to 2 passes slowly: 3.85 3.81 3.78 3.76 would be a false plateau.
-        assert_eq!(find(&[3.85, 3.80, 3.76]), None);
-        assert_eq!(find(&[3.76, 3.80, 3.85]), None);
-        // The same spread without a direction is scatter around a plateau.
-        assert_eq!(find(&[3.80, 3.85, 3.76]), Some((3, 0.1)));
-        // A drift of at most 0.05 is already a window at 0.05.
-        assert_eq!(find(&[3.80, 3.78, 3.76]), Some((3, 0.05)));
-    }
-}

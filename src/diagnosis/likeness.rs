@@ -8,8 +8,8 @@ use super::candidates::recipes;
 use super::march::radiance;
 use super::stops::USUAL;
 use super::{Accumulator, Recipe, Watched};
+use crate::parallel;
 use crate::real::Native;
-use rayon::prelude::*;
 
 /// The part of a level's error that a model may leave.
 const LEFT: f64 = 0.2;
@@ -69,10 +69,7 @@ pub fn likeness(watched: &Watched, exact: f64) -> Option<Likeness> {
         .chain(uncorrected)
         .chain(stopped)
         .collect();
-    let counted: Vec<(usize, Recipe)> = all
-        .into_par_iter()
-        .map(|recipe| (explained(&recipe), recipe))
-        .collect();
+    let counted = parallel::map(&all, |recipe| (explained(recipe), *recipe));
     // The first of several that explain as much: simple and usual ones stand in front.
     let most = counted.iter().map(|(levels, _)| *levels).max()?;
     let (levels, recipe) = counted.into_iter().find(|(levels, _)| *levels == most)?;

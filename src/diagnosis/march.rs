@@ -7,6 +7,7 @@ use crate::case::Transfer;
 use crate::method::OpacityFormula;
 use crate::real::{Format, Real};
 use rug::Rational;
+use std::convert::identity;
 
 /// The length that renderers give the last segment to make a wall of it: what absorbs nothing stays clear.
 pub const WALL_LENGTH: i64 = 10_000_000_000;
@@ -59,7 +60,7 @@ fn composited<R: Real>(
 
 /// The recipe's radiance of the ray in the ray's own format.
 pub fn radiance<R: Real>(recipe: &Recipe, ray: &Ray<R>, format: R::Format) -> R {
-    radiance_kept(recipe, ray, format, |kept| kept)
+    radiance_kept(recipe, ray, format, identity)
 }
 
 /// The same with exact opacities by another formula, which rounds otherwise.
@@ -69,7 +70,7 @@ pub fn radiance_by<R: Real>(
     format: R::Format,
     formula: OpacityFormula,
 ) -> R {
-    composited(recipe, ray, format, formula, |kept| kept)
+    composited(recipe, ray, format, formula, identity)
 }
 
 /// What every segment does, from the eye on.

@@ -19,8 +19,6 @@ mod ray;
 mod recipe;
 mod search;
 mod stops;
-#[cfg(test)]
-mod tests;
 mod values;
 mod watched;
 

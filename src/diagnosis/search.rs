@@ -12,8 +12,8 @@ use super::{
 };
 use crate::case::Fresh;
 use crate::method::Level;
+use crate::parallel;
 use crate::real::Native;
-use rayon::prelude::*;
 
 /// Levels that a model must reproduce before it is tried at all of them.
 const SCREENED: usize = 2;
@@ -98,38 +98,34 @@ impl Search<'_> {
     fn of(&self, accuracy: Accuracy) -> Vec<Match> {
         let probes = self.probes();
         let candidates = recipes();
-        let screened: Vec<(usize, Model)> = candidates
-            .par_iter()
-            .flat_map_iter(|candidate| {
-                let recipes = match candidate.free {
-                    None => vec![candidate.recipe],
-                    Some(free) => solved(&candidate.recipe, free, &probes, accuracy),
-                };
-                recipes.into_iter().flat_map(|recipe| {
-                    let explained = explained(&recipe, self.watched, SCREENED, accuracy);
-                    let stopped = explained.stopped.map(|(count, threshold)| {
-                        let stop = Some(threshold);
-                        (count, Model::Recipe(Recipe { stop, ..recipe }))
-                    });
-                    let plain = (explained.plain, Model::Recipe(recipe));
-                    std::iter::once(plain).chain(stopped)
-                })
-            })
-            .collect();
+        let screened = parallel::map(&candidates, |candidate| {
+            let recipes = match candidate.free {
+                None => vec![candidate.recipe],
+                Some(free) => solved(&candidate.recipe, free, &probes, accuracy),
+            };
+            let models = recipes.into_iter().flat_map(|recipe| {
+                let explained = explained(&recipe, self.watched, SCREENED, accuracy);
+                let stopped = explained.stopped.map(|(count, threshold)| {
+                    let stop = Some(threshold);
+                    (count, Model::Recipe(Recipe { stop, ..recipe }))
+                });
+                let plain = (explained.plain, Model::Recipe(recipe));
+                std::iter::once(plain).chain(stopped)
+            });
+            models.collect::<Vec<_>>()
+        });
         let methods = self.screened_methods(accuracy);
         let declared = self.declared.map(|model| (usize::MAX, model));
         let mut screened: Vec<(usize, Model)> = declared
             .into_iter()
-            .chain(screened)
+            .chain(screened.into_iter().flatten())
             .chain(methods)
             .filter(|(count, _)| *count > 0)
             .collect();
         screened.sort_by_key(|(count, model)| (std::cmp::Reverse(*count), model.defects()));
         screened.truncate(FINALISTS);
-        screened
-            .into_par_iter()
-            .filter_map(|(_, model)| self.compare(model, accuracy))
-            .collect()
+        let compared = parallel::map(&screened, |(_, model)| self.compare(*model, accuracy));
+        compared.into_iter().flatten().collect()
     }
 
     /// The same models with tables looked up in other ways.
@@ -191,23 +187,19 @@ impl Search<'_> {
     /// Methods that agree at the coarsest levels, with the number of channels.
     fn screened_methods(&self, accuracy: Accuracy) -> Vec<(usize, Model)> {
         let methods = methods();
-        let agreeing: Vec<Vec<bool>> = self
-            .watched
-            .par_iter()
-            .map(|watched| {
-                let nodes = Fresh::new(&watched.case, Native::<f64>::new());
-                let mut agrees = vec![true; methods.len()];
-                for level in watched.levels.iter().take(SCREENED) {
-                    let mut shared = level.uniform.map(|n| Level::new(&nodes, n));
-                    for (method, agrees) in methods.iter().zip(&mut agrees) {
-                        let value = shared.as_mut().and_then(|l| l.radiance(method).ok());
-                        *agrees = *agrees
-                            && value.is_some_and(|v| level.agrees(v, watched.scale, accuracy));
-                    }
+        let agreeing: Vec<Vec<bool>> = parallel::map(self.watched, |watched| {
+            let nodes = Fresh::new(&watched.case, Native::<f64>::new());
+            let mut agrees = vec![true; methods.len()];
+            for level in watched.levels.iter().take(SCREENED) {
+                let mut shared = level.uniform.map(|n| Level::new(&nodes, n));
+                for (method, agrees) in methods.iter().zip(&mut agrees) {
+                    let value = shared.as_mut().and_then(|l| l.radiance(method).ok());
+                    *agrees =
+                        *agrees && value.is_some_and(|v| level.agrees(v, watched.scale, accuracy));
                 }
-                agrees
-            })
-            .collect();
+            }
+            agrees
+        });
         let count = |index: usize| agreeing.iter().filter(|agrees| agrees[index]).count();
         let models = methods.iter().enumerate();
         models
@@ -266,10 +258,11 @@ impl Search<'_> {
                 })
             })
             .collect();
-        let compared = all
-            .into_par_iter()
-            .filter_map(|recipe| self.compare(Model::Recipe(recipe), self.accuracy));
-        compared.filter(|one| !one.agrees.is_empty()).collect()
+        let compared = parallel::map(&all, |recipe| {
+            self.compare(Model::Recipe(*recipe), self.accuracy)
+        });
+        let found = compared.into_iter().flatten();
+        found.filter(|one| !one.agrees.is_empty()).collect()
     }
 
     /// The simplest of the models that reproduce most, the declared one before all others, and what is as good.

@@ -47,6 +47,9 @@ pub struct Plot {
     pub series: Vec<Series>,
     /// Straight lines across.
     pub guides: Vec<Guide>,
+    /// What kinds of marks and lines mean here; a reader is told of those that occur.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub key: Vec<(Sign, String)>,
 }
 
 impl Plot {
@@ -59,8 +62,33 @@ impl Plot {
             y,
             series: Vec::new(),
             guides: Vec::new(),
+            key: Vec::new(),
         }
     }
+
+    /// The same plot, which says what its marks and lines mean.
+    #[must_use]
+    pub fn keyed(self, key: impl IntoIterator<Item = (Sign, &'static str)>) -> Self {
+        let key = key.into_iter().map(|(sign, words)| (sign, words.into()));
+        Plot {
+            key: key.collect(),
+            ..self
+        }
+    }
+}
+
+/// A kind of mark or line that a key explains.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum Sign {
+    /// A filled mark.
+    Filled,
+    /// A hollow mark.
+    Hollow,
+    /// A mark that points down.
+    Negative,
+    /// A line without points.
+    Line(Stroke),
 }
 
 /// What is on an axis.
@@ -105,7 +133,7 @@ pub enum Scale {
 /// One curve: its points, and traces that belong to it.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Series {
-    /// What the legend says.
+    /// What the legend says; without a name it says nothing.
     pub name: String,
     /// Which colour of the palette, so that a name has the same colour in all plots; otherwise its place in the plot.
     #[serde(default, skip_serializing_if = "Option::is_none")]
@@ -219,12 +247,12 @@ impl Point {
     }
 }
 
-/// A line without points: a model, a floor, a fitted slope. It widens no axis.
+/// A line without points: a model, a floor, a fitted slope, a function. Beside points it widens no axis.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Trace {
     /// How it is drawn.
     pub stroke: Stroke,
-    /// (x, y) from one end to the other.
+    /// (x, y) from one end to the other; the line breaks at those that are not finite.
     #[serde(deserialize_with = "super::absent::nullable_pairs")]
     pub points: Vec<(f64, f64)>,
 }
@@ -233,6 +261,8 @@ pub struct Trace {
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(rename_all = "kebab-case")]
 pub enum Stroke {
+    /// As a line through points.
+    Solid,
     /// Thin.
     Thin,
     /// Dashed.

@@ -27,6 +27,6 @@ mod table;
 
 pub use about::About;
 pub use block::{Block, Fact, Finding, Medium, Tone};
-pub use figure::{Axis, Figure, Guide, Plot, Point, Scale, Series, Stroke, Trace};
+pub use figure::{Axis, Figure, Guide, Plot, Point, Scale, Series, Sign, Stroke, Trace};
 pub use outline::{Conclusion, Document, Link, Section};
 pub use table::{Cell, Column, Kind, OnTerminal, Table};

@@ -1,6 +1,6 @@
 //! What a document consists of.
 
-use super::{About, Block, Fact, Tone, absent};
+use super::{About, Block, Fact, Medium, Tone, absent};
 use serde::{Deserialize, Serialize};
 
 /// A report, whatever it reports and whatever shows it.
@@ -41,6 +41,17 @@ impl Document {
     /// All blocks, section by section.
     pub fn blocks(&self) -> impl Iterator<Item = &Block> {
         self.sections.iter().flat_map(|section| &section.blocks)
+    }
+
+    /// The sections of which readers of these media see anything, each with what they see.
+    #[must_use]
+    pub fn shown_in(&self, media: &[Medium]) -> Vec<(&Section, Vec<&Block>)> {
+        let seen = self.sections.iter().map(|section| {
+            let blocks = section.blocks.iter();
+            (section, blocks.filter_map(|b| b.shown_in(media)).collect())
+        });
+        seen.filter(|(_, blocks): &(_, Vec<&Block>)| !blocks.is_empty())
+            .collect()
     }
 }
 

@@ -22,8 +22,6 @@ pub mod process;
 mod rendering;
 mod subject;
 mod task;
-#[cfg(test)]
-mod tests;
 mod volume;
 
 pub use built_in::BuiltIn;

@@ -1,54 +1,54 @@
 //! The transmittance along a ray, from an inner rule and an exponential.
 
 use super::{Exponential, Inner, MethodError, OpticalDepth, Scope};
-use crate::case::{Nodes, Number};
-use crate::real::Format;
+use crate::case::Nodes;
+use crate::real::{Format, Real, row};
 use rug::Rational;
 
 /// The transmittance along a ray of n segments: what outer rules of one inner rule share.
 #[derive(Debug)]
-pub struct Attenuation<'a, N: Nodes> {
+pub struct Attenuation<R: Real> {
     inner: Inner,
     exponential: Exponential,
     scope: Scope,
-    nodes: &'a N,
+    format: R::Format,
     n: u64,
-    depth: OpticalDepth<Number<N>>,
-    boundaries: Vec<Number<N>>,
+    depth: OpticalDepth<R>,
+    boundaries: Vec<R>,
 }
 
-impl<'a, N: Nodes> Attenuation<'a, N> {
+impl<R: Real> Attenuation<R> {
     /// The transmittance by that inner rule and exponential.
     ///
     /// # Errors
     /// [`MethodError::Segments`] where n does not suit the inner rule.
-    pub fn new(
+    pub fn new<N: Nodes<Format = R::Format>>(
         inner: Inner,
         exponential: Exponential,
         scope: Scope,
-        nodes: &'a N,
+        nodes: &N,
         n: u64,
     ) -> Result<Self, MethodError> {
         let depth = inner.depth(nodes, n)?;
-        Ok(Self::of_depth(inner, exponential, scope, nodes, n, depth))
+        let format = nodes.format();
+        Ok(Self::of_depth(inner, exponential, scope, format, n, depth))
     }
 
     fn of_depth(
         inner: Inner,
         exponential: Exponential,
         scope: Scope,
-        nodes: &'a N,
+        format: R::Format,
         n: u64,
-        depth: OpticalDepth<Number<N>>,
+        depth: OpticalDepth<R>,
     ) -> Self {
         let boundaries = match scope {
-            Scope::Whole => depth
-                .boundaries
-                .iter()
-                .map(|t| exponential.of_negative(t))
-                .collect(),
+            Scope::Whole => {
+                let depths = depth.boundaries.iter();
+                row(depths.map(|t| exponential.of_negative(t)))
+            }
             Scope::PerSegment => {
-                let mut transmittance = nodes.format().int(1);
+                let mut transmittance = format.int(1);
                 let mut boundaries = Vec::with_capacity(depth.boundaries.len());
                 boundaries.push(transmittance.clone());
                 for segment in &depth.segments {
@@ -62,7 +62,7 @@ impl<'a, N: Nodes> Attenuation<'a, N> {
             inner,
             exponential,
             scope,
-            nodes,
+            format,
             n,
             depth,
             boundaries,
@@ -73,13 +73,7 @@ impl<'a, N: Nodes> Attenuation<'a, N> {
     #[must_use]
     pub fn with_exponential(&self, exponential: Exponential, scope: Scope) -> Self {
         let depth = self.depth.clone();
-        Self::of_depth(self.inner, exponential, scope, self.nodes, self.n, depth)
-    }
-
-    /// The nodes it was computed from.
-    #[must_use]
-    pub fn nodes(&self) -> &'a N {
-        self.nodes
+        Self::of_depth(self.inner, exponential, scope, self.format, self.n, depth)
     }
 
     /// n.
@@ -90,29 +84,31 @@ impl<'a, N: Nodes> Attenuation<'a, N> {
 
     /// T at the n + 1 boundaries.
     #[must_use]
-    pub fn at_boundaries(&self) -> &[Number<N>] {
+    pub fn at_boundaries(&self) -> &[R] {
         &self.boundaries
     }
 
-    /// T at `offset` of each of the n segments, 0 < offset < 1.
+    /// T at `offset` of each of the n segments, 0 < offset < 1; `nodes` are those it was computed from.
     ///
     /// # Errors
     /// As [`Attenuation::new`].
-    pub fn inside(&self, offset: &Rational) -> Result<Vec<Number<N>>, MethodError> {
+    pub fn inside<N: Nodes<Format = R::Format>>(
+        &self,
+        nodes: &N,
+        offset: &Rational,
+    ) -> Result<Vec<R>, MethodError> {
         let partial = self
             .inner
-            .partial_depths(self.nodes, self.n, offset, &self.depth)?;
+            .partial_depths(nodes, self.n, offset, &self.depth)?;
         Ok(match self.scope {
-            Scope::Whole => partial
+            Scope::Whole => row(partial
                 .into_iter()
                 .zip(&self.depth.boundaries)
-                .map(|(part, front)| self.exponential.of_negative(&(part + front)))
-                .collect(),
-            Scope::PerSegment => partial
+                .map(|(part, front)| self.exponential.of_negative(&(part + front)))),
+            Scope::PerSegment => row(partial
                 .iter()
                 .zip(&self.boundaries)
-                .map(|(part, front)| self.exponential.of_negative(part) * front)
-                .collect(),
+                .map(|(part, front)| self.exponential.of_negative(part) * front)),
         })
     }
 }

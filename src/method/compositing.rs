@@ -17,7 +17,7 @@ pub use threshold::Threshold;
 use super::MethodError;
 use super::error::require_multiple;
 use crate::case::{Nodes, Number, Transfer};
-use crate::real::Format;
+use crate::real::{Format, row};
 use order::FrontToBack;
 use rug::Rational;
 use std::fmt;
@@ -171,7 +171,7 @@ impl Compositing {
                 order.composite(format, samples, record)
             }
             CompositingOrder::BackToFront => {
-                let samples: Vec<_> = samples.collect();
+                let samples = row(samples);
                 (order::back_to_front(format, self.opacity, samples), count)
             }
             CompositingOrder::Tree => (order::by_tree(format, self.opacity, samples), count),

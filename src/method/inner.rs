@@ -10,7 +10,7 @@ use super::breaks::{Allowed, Meeting};
 use super::error::{MethodError, require_multiple};
 use crate::case::{Nodes, Number};
 use crate::quadrature::{Rule, Sampling};
-use crate::real::{Format, Real};
+use crate::real::{Format, Real, row};
 use rug::Rational;
 use std::fmt;
 
@@ -56,10 +56,8 @@ impl<R: Real> OpticalDepth<R> {
     }
 
     fn from_boundaries(boundaries: Vec<R>) -> Self {
-        let segments = boundaries
-            .windows(2)
-            .map(|pair| pair[1].clone() - &pair[0])
-            .collect();
+        let ends = boundaries.windows(2);
+        let segments = row(ends.map(|pair| pair[1].clone() - &pair[0]));
         OpticalDepth {
             segments,
             boundaries,

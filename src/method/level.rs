@@ -1,36 +1,43 @@
 //! All methods at one level: what they have in common is computed once.
 
+mod kept;
+
 use super::{
     Attenuation, Color, Exponential, Inner, Method, MethodError, Nested, Opacity, Preintegrated,
     Scope, Stop, Transmittances, composite,
 };
-use crate::case::{Nodes, Number};
+use crate::case::{AnyNodes, Nodes};
 use crate::real::Format;
+use kept::Kept;
 use std::borrow::Cow;
-use std::collections::HashMap;
-use std::collections::hash_map::Entry;
 
 /// One ray of n segments, under any number of methods.
 ///
 /// A radiance from here has the same bits as [`Method::radiance`]'s: optical depths, transmittances and
 /// segments are kept for the next method that asks, not computed differently.
-pub struct Level<'a, N: Nodes> {
-    nodes: &'a N,
+pub struct Level<'a, F: Format> {
+    nodes: AnyNodes<'a, F>,
     n: u64,
-    attenuations: HashMap<(Inner, Exponential, Scope), Attenuation<'a, N>>,
-    colors: HashMap<Color, Vec<Number<N>>>,
-    opacities: HashMap<Opacity, Vec<Number<N>>>,
+    attenuations: Kept<(Inner, Exponential, Scope), Attenuation<F::Real>>,
+    colors: Kept<Color, Vec<F::Real>>,
+    opacities: Kept<Opacity, Vec<F::Real>>,
 }
 
-impl<'a, N: Nodes> Level<'a, N> {
+impl<'a, F: Format> Level<'a, F> {
     /// Nothing computed yet.
-    pub fn new(nodes: &'a N, n: u64) -> Self {
+    pub fn new<N: Nodes<Format = F>>(nodes: &'a N, n: u64) -> Self {
+        Self::of_any(AnyNodes::new(nodes), n)
+    }
+
+    /// The same of nodes whose kind is not known.
+    #[must_use]
+    pub fn of_any(nodes: AnyNodes<'a, F>, n: u64) -> Self {
         Level {
             nodes,
             n,
-            attenuations: HashMap::new(),
-            colors: HashMap::new(),
-            opacities: HashMap::new(),
+            attenuations: Kept::new(),
+            colors: Kept::new(),
+            opacities: Kept::new(),
         }
     }
 
@@ -38,17 +45,17 @@ impl<'a, N: Nodes> Level<'a, N> {
     ///
     /// # Errors
     /// As [`Method::radiance`].
-    pub fn radiance(&mut self, method: &Method) -> Result<Number<N>, MethodError> {
+    pub fn radiance(&mut self, method: &Method) -> Result<F::Real, MethodError> {
         match method {
             Method::Nested(nested) => self.nested(nested),
-            Method::Composited(compositing) => compositing.radiance(self.nodes, self.n),
+            Method::Composited(compositing) => compositing.radiance(&self.nodes, self.n),
             Method::Preintegrated(preintegrated) => self.preintegrated(preintegrated),
         }
     }
 
     /// The nodes.
     #[must_use]
-    pub fn nodes(&self) -> &'a N {
+    pub fn nodes(&self) -> AnyNodes<'a, F> {
         self.nodes
     }
 
@@ -65,11 +72,16 @@ impl<'a, N: Nodes> Level<'a, N> {
     pub fn transmittances(
         &mut self,
         method: &Method,
-    ) -> Result<Transmittances<'_, Number<N>>, MethodError> {
+    ) -> Result<Transmittances<'_, F::Real>, MethodError> {
         match method {
-            Method::Nested(nested) => nested.outer.transmittances(self.attenuation(nested)?),
+            Method::Nested(nested) => {
+                let nodes = self.nodes;
+                nested
+                    .outer
+                    .transmittances(&nodes, self.attenuation(nested)?)
+            }
             Method::Composited(compositing) => {
-                let composite = compositing.composite(self.nodes, self.n, Stop::AsDeclared)?;
+                let composite = compositing.composite(&self.nodes, self.n, Stop::AsDeclared)?;
                 let row = Some(composite.transmittances).filter(|row| !row.is_empty());
                 Ok(row.into_iter().map(Cow::Owned).collect())
             }
@@ -95,17 +107,17 @@ impl<'a, N: Nodes> Level<'a, N> {
     pub fn radiance_under(
         &mut self,
         method: &Method,
-        transmittances: &[Cow<'_, [Number<N>]>],
-    ) -> Result<Number<N>, MethodError> {
+        transmittances: &[Cow<'_, [F::Real]>],
+    ) -> Result<F::Real, MethodError> {
         match method {
             Method::Nested(nested) => {
                 let outer = nested.outer;
-                outer.radiance_under(self.nodes, self.n, transmittances)
+                outer.radiance_under(&self.nodes, self.n, transmittances)
             }
             Method::Composited(compositing) => {
                 let row = transmittances.first().map_or(&[][..], |row| row);
-                let under = compositing.radiance_under(self.nodes, self.n, row);
-                under.unwrap_or_else(|| compositing.radiance(self.nodes, self.n))
+                let under = compositing.radiance_under(&self.nodes, self.n, row);
+                under.unwrap_or_else(|| compositing.radiance(&self.nodes, self.n))
             }
             Method::Preintegrated(preintegrated) => {
                 let mut radiance = self.nodes.format().int(0);
@@ -119,56 +131,50 @@ impl<'a, N: Nodes> Level<'a, N> {
         }
     }
 
-    fn nested(&mut self, method: &Nested) -> Result<Number<N>, MethodError> {
+    fn nested(&mut self, method: &Nested) -> Result<F::Real, MethodError> {
+        let nodes = self.nodes;
         let attenuation = self.attenuation(method)?;
-        method.outer.radiance(attenuation)
+        method.outer.radiance(&nodes, attenuation)
     }
 
-    fn attenuation(&mut self, method: &Nested) -> Result<&Attenuation<'a, N>, MethodError> {
+    fn attenuation(&mut self, method: &Nested) -> Result<&Attenuation<F::Real>, MethodError> {
         let Nested {
             inner,
             exponential,
             scope,
             ..
         } = *method;
+        let (nodes, n) = (self.nodes, self.n);
         let key = (inner, exponential, scope);
-        let mut kept = self.attenuations.iter();
-        let same_depth = if self.attenuations.contains_key(&key) {
-            None
-        } else {
-            kept.find(|((other, ..), _)| *other == inner)
-                .map(|(_, attenuation)| attenuation.with_exponential(exponential, scope))
-        };
-        Ok(match self.attenuations.entry(key) {
-            Entry::Occupied(kept) => kept.into_mut(),
-            Entry::Vacant(place) => place.insert(match same_depth {
-                Some(attenuation) => attenuation,
-                None => Attenuation::new(inner, exponential, scope, self.nodes, self.n)?,
-            }),
+        self.attenuations.get_or_compute(key, |kept| {
+            let same_depth = kept.find(|(other, ..)| *other == inner);
+            match same_depth {
+                Some(other) => Ok(other.with_exponential(exponential, scope)),
+                None => Attenuation::new(inner, exponential, scope, &nodes, n),
+            }
         })
     }
 
-    fn color(&mut self, color: Color) -> Result<&[Number<N>], MethodError> {
-        Ok(match self.colors.entry(color) {
-            Entry::Occupied(kept) => kept.into_mut(),
-            Entry::Vacant(place) => place.insert(color.segments(self.nodes, self.n)?),
-        })
+    fn color(&mut self, color: Color) -> Result<&[F::Real], MethodError> {
+        let (nodes, n) = (self.nodes, self.n);
+        let compute = |_: &_| color.segments(&nodes, n);
+        Ok(self.colors.get_or_compute(color, compute)?)
     }
 
-    fn opacity(&mut self, opacity: Opacity) -> Result<&[Number<N>], MethodError> {
-        Ok(match self.opacities.entry(opacity) {
-            Entry::Occupied(kept) => kept.into_mut(),
-            Entry::Vacant(place) => place.insert(opacity.segments(self.nodes, self.n)?),
-        })
+    fn opacity(&mut self, opacity: Opacity) -> Result<&[F::Real], MethodError> {
+        let (nodes, n) = (self.nodes, self.n);
+        let compute = |_: &_| opacity.segments(&nodes, n);
+        Ok(self.opacities.get_or_compute(opacity, compute)?)
     }
 
-    fn preintegrated(&mut self, method: &Preintegrated) -> Result<Number<N>, MethodError> {
+    fn preintegrated(&mut self, method: &Preintegrated) -> Result<F::Real, MethodError> {
         self.color(method.color)?;
         self.opacity(method.opacity)?;
-        let (colors, opacities) = (&self.colors, &self.opacities);
-        match (colors.get(&method.color), opacities.get(&method.opacity)) {
+        let colors = self.colors.find(|color| *color == method.color);
+        let segments = self.opacities.find(|opacity| *opacity == method.opacity);
+        match (colors, segments) {
             (Some(colors), Some(segments)) => Ok(composite(self.nodes.format(), colors, segments)),
-            _ => method.radiance(self.nodes, self.n),
+            _ => method.radiance(&self.nodes, self.n),
         }
     }
 }

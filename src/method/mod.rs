@@ -13,9 +13,7 @@ mod march;
 mod name;
 mod nested;
 mod outer;
-mod preintegrated;
-#[cfg(test)]
-mod tests;
+pub(crate) mod preintegrated;
 mod theorem;
 
 pub use attenuation::Attenuation;
@@ -38,7 +36,8 @@ pub use preintegrated::{
 };
 pub use theorem::Theorem;
 
-use crate::case::{Case, Nodes, Number};
+use crate::case::{AnyNodes, Case, Nodes, Number};
+use crate::real::Format;
 use std::fmt;
 
 /// A way to approximate the volume rendering integral.
@@ -58,10 +57,24 @@ impl Method {
     /// # Errors
     /// [`MethodError`] where n does not suit the method, or the case lacks what the method needs.
     pub fn radiance<N: Nodes>(&self, nodes: &N, n: u64) -> Result<Number<N>, MethodError> {
+        self.radiance_of_any(AnyNodes::new(nodes), n)
+    }
+
+    /// The same of nodes whose kind is not known: every method is compiled once a format, though cases and kinds of
+    /// nodes are many. Where their loop is to be one with the evaluation of the case, a family's own
+    /// `radiance` is there, such as [`Nested::radiance`].
+    ///
+    /// # Errors
+    /// As [`Method::radiance`].
+    pub fn radiance_of_any<F: Format>(
+        &self,
+        nodes: AnyNodes<'_, F>,
+        n: u64,
+    ) -> Result<F::Real, MethodError> {
         match self {
-            Method::Nested(nested) => nested.radiance(nodes, n),
-            Method::Composited(compositing) => compositing.radiance(nodes, n),
-            Method::Preintegrated(preintegrated) => preintegrated.radiance(nodes, n),
+            Method::Nested(nested) => nested.radiance(&nodes, n),
+            Method::Composited(compositing) => compositing.radiance(&nodes, n),
+            Method::Preintegrated(preintegrated) => preintegrated.radiance(&nodes, n),
         }
     }
 

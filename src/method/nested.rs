@@ -42,7 +42,7 @@ impl Nested {
             return radiance;
         }
         let attenuation = Attenuation::new(self.inner, self.exponential, self.scope, nodes, n)?;
-        self.outer.radiance(&attenuation)
+        self.outer.radiance(nodes, &attenuation)
     }
 
     /// What limits the order on a case of that structure: p, q and the exponential's, where an inner

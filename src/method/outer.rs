@@ -4,7 +4,7 @@ use super::Attenuation;
 use super::error::{MethodError, require_multiple};
 use crate::case::{Column, Nodes, Number};
 use crate::quadrature::Rule;
-use crate::real::{Format, Real};
+use crate::real::{Format, Real, row, try_row};
 use rug::Rational;
 use std::borrow::Cow;
 use std::fmt;
@@ -30,17 +30,18 @@ impl Outer {
         f64::from(self.0.order())
     }
 
-    /// The radiance: ∑ W C τ T.
+    /// The radiance: ∑ W C τ T; `nodes` are those that the attenuation was computed from.
     ///
     /// # Errors
     /// [`MethodError::Segments`] where n is no multiple of [`Outer::segments_multiple`].
     pub fn radiance<N: Nodes>(
         self,
-        attenuation: &Attenuation<'_, N>,
+        nodes: &N,
+        attenuation: &Attenuation<Number<N>>,
     ) -> Result<Number<N>, MethodError> {
-        let (nodes, n) = (attenuation.nodes(), attenuation.segments());
+        let n = attenuation.segments();
         require_multiple(&self.0, n, self.segments_multiple())?;
-        self.radiance_under(nodes, n, &self.transmittances(attenuation)?)
+        self.radiance_under(nodes, n, &self.transmittances(nodes, attenuation)?)
     }
 
     /// T wherever the rule looks.
@@ -49,16 +50,15 @@ impl Outer {
     /// As [`Attenuation::inside`].
     pub fn transmittances<'t, N: Nodes>(
         self,
-        attenuation: &'t Attenuation<'_, N>,
+        nodes: &N,
+        attenuation: &'t Attenuation<Number<N>>,
     ) -> Result<Transmittances<'t, Number<N>>, MethodError> {
         if self.0.intervals().is_some() {
             return Ok(vec![Cow::Borrowed(attenuation.at_boundaries())]);
         }
-        let table = self.0.table(attenuation.nodes().format().bits())?;
+        let table = self.0.table(nodes.format().bits())?;
         let offsets = table.nodes.iter();
-        offsets
-            .map(|offset| attenuation.inside(offset).map(Cow::Owned))
-            .collect()
+        try_row(offsets.map(|offset| attenuation.inside(nodes, offset).map(Cow::Owned)))
     }
 
     /// The radiance with transmittances from elsewhere, those of another format for instance.
@@ -177,7 +177,7 @@ impl<R: Real> CompositeWeights<R> {
         Ok(CompositeWeights {
             first: format.ratio(front),
             last: format.ratio(back),
-            repeating: std::iter::once(shared).chain(inner).collect(),
+            repeating: row(std::iter::once(shared).chain(inner)),
         })
     }
 }

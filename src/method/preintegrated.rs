@@ -6,14 +6,12 @@ mod interpolant;
 mod opacity;
 mod polynomial;
 mod series;
-#[cfg(test)]
-mod tests;
 
 pub use color::Color;
 pub use integration::Integration;
 pub use interpolant::{Interpolant, LastSegment};
 pub use opacity::Opacity;
-pub(crate) use series::attenuated_integral;
+pub use series::attenuated_integral;
 
 use super::{Limit, MethodError, Part};
 use crate::case::{Nodes, Number, Structure};

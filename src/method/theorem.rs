@@ -1,8 +1,5 @@
 //! The theorem behind an expected order, where `proofs/theory/` has one.
 
-#[cfg(test)]
-mod tests;
-
 use super::{
     Color, Expected, Exponential, Inner, Integration, Interpolant, Method, Nested, Opacity,
     Preintegrated, Scope,

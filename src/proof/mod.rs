@@ -7,8 +7,6 @@
 
 mod check;
 mod script;
-#[cfg(test)]
-mod tests;
 
 pub use check::{Coq, CoqMissing, Verdict};
 pub use script::{MARK, NotStated, Script, script};

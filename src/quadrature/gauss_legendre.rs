@@ -97,6 +97,3 @@ fn legendre(m: u32, x: &Float) -> (Float, Float) {
     derivative /= Float::with_val(precision, 1 - x.clone().square());
     (current, derivative)
 }
-
-#[cfg(test)]
-mod tests;

@@ -71,7 +71,8 @@ impl Draws {
 /// One random number, numerator · 2⁻⁵³.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Draw {
-    numerator: u64,
+    /// Below 2⁵³.
+    pub numerator: u64,
 }
 
 impl Draw {
@@ -91,6 +92,3 @@ impl Draw {
         (index, Rational::from((scaled % one, one)))
     }
 }
-
-#[cfg(test)]
-mod tests;

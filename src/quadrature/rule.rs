@@ -151,6 +151,3 @@ impl fmt::Display for Rule {
         }
     }
 }
-
-#[cfg(test)]
-mod tests;

@@ -6,8 +6,6 @@
 mod kind;
 mod number;
 mod tally;
-#[cfg(test)]
-mod tests;
 
 pub use kind::Kind;
 pub use number::CountedReal;

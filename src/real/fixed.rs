@@ -1,8 +1,6 @@
 //! Fixed-point formats: multiples of a quantum, saturating at both ends.
 
 mod number;
-#[cfg(test)]
-mod tests;
 
 pub use number::FixedReal;
 

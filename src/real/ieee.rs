@@ -1,8 +1,6 @@
 //! Emulated formats after IEEE 754: any number of significant bits, any range of exponents.
 
 mod number;
-#[cfg(test)]
-mod tests;
 
 pub use number::IeeeReal;
 

@@ -12,9 +12,8 @@ mod ieee;
 mod mpfr;
 mod name;
 mod native;
+mod row;
 pub mod special;
-#[cfg(test)]
-mod tests;
 
 pub use counted::{Counted, CountedReal, Counts};
 pub use fixed::{Fixed, FixedReal, MAX_FRACTION, MAX_INTEGER};
@@ -22,6 +21,7 @@ pub use ieee::{Ieee, IeeeReal, MAX_EXPONENT, MAX_IEEE_BITS, Overflow};
 pub use mpfr::{Mpfr, MpfrReal};
 pub use name::{FormatError, FormatName, MAX_BITS, MIN_BITS, WithFormat};
 pub use native::{Native, NativeFloat};
+pub(crate) use row::{row, try_row};
 
 use rug::float::Special;
 use rug::{Float, Rational};

@@ -2,8 +2,6 @@
 //! `fixed:15`, `fixed:8.24`, `mpfr:256`.
 
 mod error;
-#[cfg(test)]
-mod tests;
 pub use error::FormatError;
 
 use super::{Fixed, Format, Ieee, MAX_INTEGER, Mpfr, Native};

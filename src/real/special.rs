@@ -2,9 +2,6 @@
 
 use super::{Format, Real};
 
-#[cfg(test)]
-mod tests;
-
 /// (1 − e^(−x))/x, the mean transmittance over a segment of optical depth x; 1 at x = 0.
 ///
 /// Computed as −expm1(−x)/x, which neither cancels nor underflows: where x is small, expm1(−x) is −x up to

@@ -1,7 +1,7 @@
 //! Closed forms, evaluated at two precisions: what differs is what rounding and cancellation do.
 
+use super::medium::Medium;
 use super::{GUARD_BITS, Quantity, Reference, ReferenceError, Source, Work, believed_bits};
-use crate::case::Case;
 use crate::real::{Format, MAX_BITS, Mpfr};
 use rug::Float;
 
@@ -11,8 +11,8 @@ const DOUBLINGS: u32 = 4;
 const MARGIN: u32 = 8;
 
 /// t(D) or I(D) from its closed form, `None` where the case has none.
-pub(super) fn evaluate<C: Case>(
-    case: &C,
+pub(super) fn evaluate(
+    case: &dyn Medium,
     quantity: Quantity,
     bits: u32,
 ) -> Option<Result<Reference, ReferenceError>> {

@@ -1,9 +1,10 @@
 //! The oracle: t(D) and I(D) of a case to any number of digits, from its closed form where it has one, else by
 //! Chebyshev series.
 
-mod chebyshev;
+pub(crate) mod chebyshev;
 mod closed_form;
 mod error;
+mod medium;
 mod spectral;
 
 pub use error::ReferenceError;
@@ -12,6 +13,7 @@ pub use spectral::Work;
 use crate::case::Case;
 use crate::real::{MAX_BITS, MIN_BITS};
 use chebyshev::log2_abs;
+use medium::Medium;
 use rug::Float;
 use std::f64::consts::LOG10_2;
 
@@ -107,7 +109,7 @@ pub fn spectral_radiance<C: Case>(case: &C, bits: u32) -> Result<Reference, Refe
     spectral::integrate(case, Quantity::Radiance, bits)
 }
 
-fn best<C: Case>(case: &C, quantity: Quantity, bits: u32) -> Result<Reference, ReferenceError> {
+fn best(case: &dyn Medium, quantity: Quantity, bits: u32) -> Result<Reference, ReferenceError> {
     check_bits(bits)?;
     match closed_form::evaluate(case, quantity, bits) {
         Some(reference) => reference,

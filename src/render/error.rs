@@ -30,12 +30,4 @@ pub enum ReportError {
     /// A table has no place in CSV.
     #[error("cannot write CSV: {0}")]
     Csv(#[source] io::Error),
-    /// The drawing library refuses a figure.
-    #[error("cannot draw the figure '{title}': {reason}")]
-    Draw {
-        /// The figure's title.
-        title: String,
-        /// What the library says.
-        reason: String,
-    },
 }

@@ -1,6 +1,7 @@
 //! A document as GitHub Markdown.
 
-use crate::document::{Block, Cell, Column, Document, Fact, Figure, Kind, Medium, Table};
+use crate::document::{Block, Cell, Column, Document, Fact, Kind, Medium, Table};
+use std::collections::HashSet;
 
 const MEDIA: [Medium; 2] = [Medium::Written, Medium::Markdown];
 
@@ -22,15 +23,23 @@ pub fn markdown(document: &Document) -> String {
     }
     text += &list(&facts);
     text.push('\n');
-    for section in &document.sections {
+    let mut maps = HashSet::new();
+    for (section, blocks) in document.shown_in(&MEDIA) {
         if !section.title.is_empty() {
             text += &format!("## {}\n\n", escape(&section.title));
         }
-        for block in &section.blocks {
-            if let Some(block) = block.shown_in(&MEDIA) {
-                text += &self::block(block);
+        for block in blocks {
+            text += &self::block(block);
+            // Maps of one name stand in one file.
+            if let Block::Table(table) = block
+                && table.is_shaded()
+                && !table.file.is_empty()
+                && maps.insert(&table.file)
+            {
                 text.push('\n');
+                text += &image(&table.caption, &table.file);
             }
+            text.push('\n');
         }
     }
     text.truncate(text.trim_end().len());
@@ -51,7 +60,7 @@ fn block(block: &Block) -> String {
             format!("- **{label}**: {words}\n")
         }
         Block::Table(table) => self::table(table),
-        Block::Figure(figure) => self::figure(figure),
+        Block::Figure(figure) => image(&figure.caption, &figure.file),
         Block::For(..) => String::new(),
     }
 }
@@ -88,9 +97,6 @@ fn table(table: &Table) -> String {
             .collect();
         text += &format!("| {} |\n", cells.join(" | "));
     }
-    if table.is_shaded() && !table.file.is_empty() {
-        text += &format!("\n![{}]({}.svg)\n", escape(&table.caption), table.file);
-    }
     text
 }
 
@@ -106,11 +112,12 @@ fn cell(cell: &Cell) -> String {
     lines.join("<br>")
 }
 
-fn figure(figure: &Figure) -> String {
-    if figure.file.is_empty() {
+/// A file beside the text, where there is one.
+fn image(caption: &str, file: &str) -> String {
+    if file.is_empty() {
         return String::new();
     }
-    format!("![{}]({}.svg)\n", escape(&figure.caption), figure.file)
+    format!("![{}]({file}.svg)\n", escape(caption))
 }
 
 /// Text in which nothing is markup, in a cell or elsewhere; lines become one.

@@ -9,20 +9,32 @@
 //! | [`csv`](csv()) | the tables of a document, for programs |
 //! | [`latex`](latex()) | the tables of a document, for papers |
 
+#[cfg(feature = "studies")]
 mod csv;
 mod error;
+#[cfg(feature = "studies")]
 pub mod html;
+#[cfg(feature = "studies")]
 mod latex;
 mod markdown;
+#[cfg(feature = "studies")]
+mod plot;
+#[cfg(feature = "studies")]
 mod preflight;
+#[cfg(feature = "studies")]
 pub mod svg;
 pub mod terminal;
+#[cfg(feature = "studies")]
 mod write;
 
+#[cfg(feature = "studies")]
 pub use csv::csv;
 pub use error::ReportError;
+#[cfg(feature = "studies")]
 pub use latex::latex;
 pub use markdown::markdown;
+#[cfg(feature = "studies")]
 pub use preflight::{check_file, prepare_directory};
 pub use terminal::terminal;
+#[cfg(feature = "studies")]
 pub use write::{write_document, write_file, write_files};

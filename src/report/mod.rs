@@ -6,6 +6,7 @@
 //!
 //! | builder | what |
 //! |---|---|
+//! | [`plots`] | curves of what was measured |
 //! | [`reproduce`] | the paper's tables, measured again |
 //! | [`nonsmooth`] | the table of jumps and kinks |
 //! | [`study`] | a study of errors and their parts |
@@ -13,22 +14,41 @@
 //! | [`stress`] | digits and verdicts at the extremes |
 //! | [`tradeoff`] | error against cost |
 //! | [`plan`] | the least model of a scene |
+//! | [`fit`] | an order from anybody's errors |
+//! | [`cases`] | cases, their formulas and what is proved of them |
+//! | [`reference`](mod@reference) | radiances to many digits |
+//! | [`proofs`] | cases as theorems |
 //! | [`comparison`] | several reports on one page, what differs first |
 
+#[cfg(feature = "studies")]
+pub mod cases;
+#[cfg(feature = "studies")]
 pub mod comparison;
-#[cfg(test)]
-mod fixture;
+mod counts;
+#[cfg(feature = "studies")]
+pub mod fit;
+#[cfg(feature = "studies")]
 mod names;
+#[cfg(feature = "studies")]
 pub mod nonsmooth;
+#[cfg(feature = "studies")]
 pub mod plan;
+pub mod plots;
+#[cfg(feature = "studies")]
+pub mod proofs;
+#[cfg(feature = "studies")]
+pub mod reference;
+#[cfg(feature = "studies")]
 pub mod reproduce;
+#[cfg(feature = "studies")]
 pub mod stress;
+#[cfg(feature = "studies")]
 pub mod study;
-pub mod svg;
-pub mod text;
-mod tone;
+#[cfg(feature = "studies")]
 pub mod tradeoff;
 pub mod verify;
 
+#[cfg(feature = "studies")]
 pub use crate::render::{ReportError, check_file, prepare_directory, write_file};
+#[cfg(feature = "studies")]
 pub use reproduce::{Group, Row, groups};

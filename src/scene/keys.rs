@@ -1,8 +1,7 @@
 //! Which keys belong to which kind of medium.
 
-use super::SceneProblem;
 use super::file::{KindName, MediumFile};
-use super::read::kind;
+use super::{Kind, SceneProblem};
 
 /// The keys that belong to a kind of medium, beside from, to and name.
 pub(super) struct Keys {
@@ -82,5 +81,16 @@ impl Keys {
             }
             _ => Ok(()),
         }
+    }
+}
+
+/// The kind that a file names.
+pub(super) fn kind(name: KindName) -> Kind {
+    match name {
+        KindName::Vacuum => Kind::Vacuum,
+        KindName::Constant => Kind::Constant,
+        KindName::Linear => Kind::Linear,
+        KindName::Expression => Kind::Expression,
+        KindName::Sampled => Kind::Sampled,
     }
 }

@@ -16,8 +16,6 @@ mod read;
 mod sampled;
 mod samples;
 mod table;
-#[cfg(test)]
-mod tests;
 mod top;
 
 pub use bound::{BoundPiece, Columns};

@@ -1,11 +1,11 @@
 //! A scene from its file.
 
 use super::file::{KindName, MediumFile, Number, Numbers, SamplesFile, Value};
-use super::keys::Keys;
+use super::keys::{Keys, kind};
 use super::medium::nearest;
 use super::sampled::{self, OfField};
 use super::top::{SCATTERING, channels, features, line};
-use super::{Kind, Medium, Piece, Scene, SceneError, SceneFile, SceneProblem, Values};
+use super::{Medium, Piece, Scene, SceneError, SceneFile, SceneProblem, Values};
 use super::{expression, samples, table};
 use crate::case::Transfer;
 use crate::symbolic::{Expr, parse_number};
@@ -440,15 +440,5 @@ fn whole(from: &Rational, to: &Rational, form: super::Form) -> expression::Cut {
         }],
         blur: 0.0,
         unproved: Vec::new(),
-    }
-}
-
-pub(super) fn kind(name: KindName) -> Kind {
-    match name {
-        KindName::Vacuum => Kind::Vacuum,
-        KindName::Constant => Kind::Constant,
-        KindName::Linear => Kind::Linear,
-        KindName::Expression => Kind::Expression,
-        KindName::Sampled => Kind::Sampled,
     }
 }

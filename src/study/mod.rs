@@ -1,11 +1,17 @@
 //! What to run, and running it: methods × levels × formats, node values shared.
 
+#[cfg(feature = "studies")]
 pub mod nonsmooth;
+#[cfg(feature = "studies")]
 pub mod plan;
+#[cfg(feature = "studies")]
 pub mod reproduce;
-mod run;
+pub(crate) mod run;
+#[cfg(feature = "studies")]
 pub mod stress;
+#[cfg(feature = "studies")]
 pub mod sweep;
+#[cfg(feature = "studies")]
 pub mod tradeoff;
 pub mod verify;
 

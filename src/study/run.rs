@@ -1,11 +1,11 @@
 //! Radiances of many methods over a ladder, and their errors.
 
-use crate::case::{Case, Nodes, Shared};
+use crate::case::{AnyNodes, Case, Shared};
 use crate::convergence::Sample;
 use crate::method::{Integration, Level, Method, MethodError};
+use crate::parallel;
 use crate::real::{Format, Real};
 use crate::reference::{self, ReferenceError};
-use rayon::prelude::*;
 use rug::{Float, Rational};
 
 /// Hears of work done, from any thread.
@@ -47,33 +47,39 @@ impl Run {
         progress: &dyn Progress,
     ) -> Result<Run, MethodError> {
         let nodes = Shared::new(case, format);
-        // Finest levels first: the largest piece of work is not left for last.
-        let mut levels: Vec<Vec<Float>> = ladder
-            .par_iter()
-            .rev()
-            .with_max_len(1)
-            .map(|&n| at_level(&nodes, n, methods, progress))
-            .collect::<Result<_, _>>()?;
-        levels.reverse();
-        let radiances = (0..methods.len())
-            .map(|m| levels.iter().map(|level| level[m].clone()).collect())
-            .collect();
+        let any = AnyNodes::new(&nodes);
+        let at = |n| at_level(any, n, methods, progress);
         Ok(Run {
             bits: format.bits(),
             ladder: ladder.to_vec(),
-            radiances,
+            radiances: on_all_levels(ladder, methods.len(), &at)?,
             evaluations: nodes.evaluations(),
         })
     }
 }
 
-fn at_level<N: Nodes>(
-    nodes: &N,
+/// The radiances by method and level, of `at`, which gives those of a level by method.
+fn on_all_levels(
+    ladder: &[u64],
+    methods: usize,
+    at: &(dyn Fn(u64) -> Result<Vec<Float>, MethodError> + Sync),
+) -> Result<Vec<Vec<Float>>, MethodError> {
+    // Finest levels first: the largest piece of work is not left for last.
+    let finest_first: Vec<u64> = ladder.iter().rev().copied().collect();
+    let mut levels = parallel::try_map(&finest_first, |&n| at(n))?;
+    levels.reverse();
+    Ok((0..methods)
+        .map(|m| levels.iter().map(|level| level[m].clone()).collect())
+        .collect())
+}
+
+fn at_level<F: Format>(
+    nodes: AnyNodes<'_, F>,
     n: u64,
     methods: &[Method],
     progress: &dyn Progress,
 ) -> Result<Vec<Float>, MethodError> {
-    let mut level = Level::new(nodes, n);
+    let mut level = Level::of_any(nodes, n);
     methods
         .iter()
         .map(|method| {
@@ -96,9 +102,12 @@ pub(super) fn units_a_segment(method: &Method) -> u64 {
 }
 
 /// The very value of a number, NaN where it is not finite.
-pub(super) fn exact<R: Real>(x: &R) -> Float {
-    let bits = x.format().bits();
-    match x.to_rational() {
+pub fn exact<R: Real>(x: &R) -> Float {
+    exactly(x.to_rational(), x.format().bits())
+}
+
+fn exactly(x: Option<Rational>, bits: u32) -> Float {
+    match x {
         Some(value) => {
             // A fixed-point number above 1 has more significant bits than its format has after the point.
             let numerator = value.numer();
@@ -111,7 +120,10 @@ pub(super) fn exact<R: Real>(x: &R) -> Float {
 }
 
 /// The exact radiance of a case, held with [`reference::GUARD_BITS`] more than `bits`.
-pub(super) fn exact_radiance<C: Case>(case: &C, bits: u32) -> Result<Float, ReferenceError> {
+///
+/// # Errors
+/// [`ReferenceError`] where it is not to be had.
+pub fn exact_radiance<C: Case>(case: &C, bits: u32) -> Result<Float, ReferenceError> {
     Ok(reference::radiance(case, bits.max(f64::MANTISSA_DIGITS))?.value)
 }
 
@@ -130,14 +142,23 @@ pub fn samples<C: Case>(
     oracle: Option<&Run>,
 ) -> Result<Vec<Sample>, ReferenceError> {
     let radiance = exact_radiance(case, run.bits)?;
-    let length = case.length();
+    Ok(errors(&radiance, &case.length(), run, method, oracle))
+}
+
+fn errors(
+    radiance: &Float,
+    length: &Rational,
+    run: &Run,
+    method: usize,
+    oracle: Option<&Run>,
+) -> Vec<Sample> {
     let unit = Float::with_val(64, radiance.abs_ref()) >> run.bits;
     let Some(radiances) = run.radiances.get(method) else {
-        return Ok(Vec::new());
+        return Vec::new();
     };
     let levels = run.ladder.iter().zip(radiances);
     let samples = levels.map(|(&n, value)| {
-        let error = Float::with_val(radiance.prec(), value - &radiance);
+        let error = Float::with_val(radiance.prec(), value - radiance);
         let rounding = match oracle.and_then(|o| o.radiance_at(method, n)) {
             Some(oracle) => Float::with_val(64, value - oracle).abs(),
             None => Float::with_val(64, &unit * 16_u32) * n,
@@ -149,12 +170,12 @@ pub fn samples<C: Case>(
         };
         Sample {
             n: Some(n),
-            step: Rational::from(&length / n).to_f64(),
+            step: Rational::from(length / n).to_f64(),
             error,
             floor,
         }
     });
-    Ok(samples.collect())
+    samples.collect()
 }
 
 impl Run {
@@ -203,6 +224,3 @@ impl Run {
         self.radiances.get(method)?.get(level)
     }
 }
-
-#[cfg(test)]
-mod tests;

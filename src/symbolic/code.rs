@@ -14,8 +14,7 @@ mod names;
 mod number;
 mod python;
 mod rust;
-#[cfg(test)]
-mod tests;
+mod text;
 
 use super::Program;
 use layout::Layout;

@@ -1,8 +1,5 @@
 //! Expressions as terms of the proof assistant Coq, over its real numbers.
 
-#[cfg(test)]
-mod tests;
-
 use super::print::is_half;
 use super::{Expr, Function, Kind};
 use rug::Rational;

@@ -14,8 +14,6 @@
 mod curve;
 mod pieces;
 mod search;
-#[cfg(test)]
-mod tests;
 
 use super::Expr;
 use super::interval::Interval;

@@ -2,8 +2,6 @@
 
 mod evaluate;
 mod mean_value;
-#[cfg(test)]
-mod tests;
 
 pub use mean_value::enclose_range;
 

@@ -8,8 +8,6 @@
 mod arithmetic;
 mod elementary;
 mod power;
-#[cfg(test)]
-mod tests;
 mod trigonometric;
 
 use rug::float::{Constant, Round, Special, prec_max, prec_min};

@@ -1,8 +1,6 @@
 //! Expressions as mathematics in LaTeX.
 
 mod name;
-#[cfg(test)]
-mod tests;
 
 use super::print::is_half;
 use super::{Branch, Expr, Function, Kind, Relation};

@@ -14,8 +14,6 @@ mod quotient;
 mod simplify;
 mod substitute;
 mod taylor;
-#[cfg(test)]
-mod tests;
 
 pub use expr::{Branch, Condition, Expr, Kind, Relation};
 pub use facts::Facts;
@@ -44,7 +42,7 @@ pub use refute::{Witness, refute_zero};
 pub mod code;
 mod coq;
 mod latex;
-mod normal_form;
+pub(crate) mod normal_form;
 mod zero_test;
 pub use coq::CoqError;
 pub use normal_form::{MAX_TERMS, MAX_WORK, Reduction, reduce};

@@ -12,8 +12,8 @@
 //! rational functions and the exponentials, sines and cosines of rational functions, all with rational
 //! coefficients, the normal form is 0 exactly where the function is (Lindemann and Weierstrass).
 
-mod arena;
-mod coefficient;
+pub(crate) mod arena;
+pub(crate) mod coefficient;
 mod conjugate;
 mod divide;
 mod exponential;
@@ -21,13 +21,11 @@ mod hash;
 mod multiply;
 mod number;
 mod opaque;
-mod polynomial;
+pub(crate) mod polynomial;
 mod power;
 mod quotient;
-mod ratio;
-#[cfg(test)]
-mod tests;
-mod translate;
+pub(crate) mod ratio;
+pub(crate) mod translate;
 
 use super::{Expr, Kind};
 use arena::{Arena, Stop};

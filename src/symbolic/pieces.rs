@@ -1,8 +1,6 @@
 //! Expressions with branches, cut into pieces without.
 
 mod roots;
-#[cfg(test)]
-mod tests;
 
 use super::{Claim, Decision, Expr, Function, Kind, Relation, decide};
 use roots::roots;

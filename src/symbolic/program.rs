@@ -4,15 +4,13 @@ mod compile;
 mod instruction;
 mod kept;
 mod run;
-#[cfg(test)]
-mod tests;
 
 pub use compile::CompileError;
 pub use instruction::{Instruction, Operand, Operation};
 pub use kept::KeptProgram;
 pub use run::Bound;
 
-use crate::real::Format;
+use crate::real::{Format, row};
 use rug::Rational;
 use std::sync::Arc;
 
@@ -101,11 +99,10 @@ impl Program {
 
     fn constants_in<F: Format>(&self, format: F) -> Arc<[F::Real]> {
         let constants = self.constants.iter();
-        constants
-            .map(|constant| match constant {
-                Constant::Rational(q) => format.ratio(q),
-                Constant::Pi => format.pi(),
-            })
-            .collect()
+        let rounded = constants.map(|constant| match constant {
+            Constant::Rational(q) => format.ratio(q),
+            Constant::Pi => format.pi(),
+        });
+        row(rounded).into()
     }
 }

@@ -3,8 +3,6 @@
 mod division;
 mod expand;
 mod polynomial;
-#[cfg(test)]
-mod tests;
 
 use super::Expr;
 use expand::Expander;

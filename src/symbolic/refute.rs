@@ -1,8 +1,5 @@
 //! Numbers at which an expression is certainly not 0.
 
-#[cfg(test)]
-mod tests;
-
 use super::decide::cuts;
 use super::{Expr, Interval};
 use rug::Rational;

@@ -4,8 +4,6 @@ mod calls;
 mod powers;
 mod products;
 mod sums;
-#[cfg(test)]
-mod tests;
 
 use super::{Expr, Kind};
 

@@ -21,7 +21,8 @@ impl Expr {
 
     /// The same expression with every node for which `replace` gives something replaced by it, from the
     /// parts up: `replace` sees a node after its parts are rebuilt.
-    pub(super) fn rebuild(&self, mut replace: impl FnMut(&Expr) -> Option<Expr>) -> Expr {
+    #[must_use]
+    pub fn rebuild(&self, mut replace: impl FnMut(&Expr) -> Option<Expr>) -> Expr {
         let mut rebuilt: HashMap<&Expr, Expr> = HashMap::new();
         for node in self.nodes() {
             let parts: Vec<Expr> = node

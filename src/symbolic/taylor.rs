@@ -8,8 +8,6 @@ mod functions;
 mod program;
 mod range;
 mod series;
-#[cfg(test)]
-mod tests;
 
 pub use program::taylor;
 pub use range::Range;

@@ -1,6 +1,6 @@
 //! Every request evaluated anew.
 
-use super::grid::{Grid, indices};
+use super::grid::Grid;
 use super::{Column, Nodes};
 use crate::case::{Case, PolynomialTransfer, Structure, Transfer};
 use crate::real::Format;
@@ -73,19 +73,30 @@ impl<'c, C: Case, F: Format> Fresh<'c, C, F> {
         n: u64,
         offset: Rational,
         count: u64,
-    ) -> impl ExactSizeIterator<Item = (F::Real, Transfer<F::Real>)> {
+    ) -> impl Iterator<Item = (F::Real, Transfer<F::Real>)> {
         self.count(count);
         let grid = self.grid(n, &offset);
-        indices(count).map(move |j| match &grid {
+        (0..count).map(move |j| match &grid {
             Some(grid) => self.at_fraction(grid.place(j)),
             None => self.at_exact(n, &offset, j),
         })
     }
 
-    fn column(&self, n: u64, offset: Rational, count: u64) -> Arc<Column<F::Real>> {
+    /// C and τ at these places.
+    #[inline]
+    fn transfers(
+        &self,
+        n: u64,
+        offset: Rational,
+        count: u64,
+    ) -> impl Iterator<Item = Transfer<F::Real>> {
         let places = self.places(n, offset, count);
-        let mut column = Column::with_capacity(places.len());
-        for (field, transfer) in places {
+        places.map(|(_, transfer)| transfer)
+    }
+
+    fn column(&self, n: u64, offset: Rational, count: u64) -> Arc<Column<F::Real>> {
+        let mut column = Column::with_capacity(count);
+        for (field, transfer) in self.places(n, offset, count) {
             column.push(field, transfer);
         }
         Arc::new(column)
@@ -108,8 +119,7 @@ impl<C: Case, F: Format> Nodes for Fresh<'_, C, F> {
     }
 
     fn march(&self, n: u64) -> impl Iterator<Item = Transfer<F::Real>> {
-        self.places(n, Rational::new(), n + 1)
-            .map(|(_, transfer)| transfer)
+        self.transfers(n, Rational::new(), n + 1)
     }
 
     fn interior(&self, n: u64, offset: &Rational) -> Arc<Column<F::Real>> {
@@ -117,7 +127,7 @@ impl<C: Case, F: Format> Nodes for Fresh<'_, C, F> {
     }
 
     fn march_inside(&self, n: u64, offset: Rational) -> impl Iterator<Item = Transfer<F::Real>> {
-        self.places(n, offset, n).map(|(_, transfer)| transfer)
+        self.transfers(n, offset, n)
     }
 
     fn beyond(&self, n: u64) -> F::Real {

@@ -4,7 +4,7 @@ use rug::Rational;
 
 /// The places D·(j + p/q)/n for j = 0 … n + 1, all over one denominator.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Grid {
+pub struct Grid {
     first: u64,
     stride: u64,
     denominator: u64,
@@ -13,7 +13,8 @@ pub(super) struct Grid {
 impl Grid {
     /// `None` where a numerator or the denominator is no machine integer: an offset that stands for an
     /// irrational number, or a ray length of many digits.
-    pub(super) fn new(length: &Rational, n: u64, offset: &Rational) -> Option<Grid> {
+    #[must_use]
+    pub fn new(length: &Rational, n: u64, offset: &Rational) -> Option<Grid> {
         let (length, unit) = (length.numer().to_u64()?, length.denom().to_u64()?);
         let (p, q) = (offset.numer().to_u64()?, offset.denom().to_u64()?);
         let grid = Grid {
@@ -28,12 +29,8 @@ impl Grid {
 
     /// Numerator and denominator of place j ≤ n + 1.
     #[inline]
-    pub(super) fn place(&self, j: u64) -> (u64, u64) {
+    #[must_use]
+    pub fn place(&self, j: u64) -> (u64, u64) {
         (j * self.stride + self.first, self.denominator)
     }
-}
-
-/// Indices 0 … count − 1, of known number.
-pub(super) fn indices(count: u64) -> impl ExactSizeIterator<Item = u64> {
-    (0..usize::try_from(count).unwrap_or(usize::MAX)).map(|i| i as u64)
 }

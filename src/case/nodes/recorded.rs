@@ -1,11 +1,12 @@
 //! What a run really used, kept to be used again.
 
 use super::replayed::{Exactly, Key, Replayed};
-use super::{Column, Nodes, Number};
+use super::{AnyNodes, Column, Nodes};
 use crate::case::{Case, PolynomialTransfer, Transfer};
-use crate::real::{Format, Real};
+use crate::real::{Format, Real, row};
 use rug::{Float, Rational};
 use std::collections::BTreeSet;
+use std::fmt::{self, Debug};
 use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
 
 /// Nodes that remember what was asked of them: a run in one format whose inputs another can take over.
@@ -13,13 +14,12 @@ use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
 /// Values at places of a grid are looked up again; values at places or at field values that a method made up
 /// come back in the order in which they were asked for.
 #[derive(Debug)]
-pub struct Recorded<'a, N: Nodes> {
-    nodes: &'a N,
-    log: Mutex<Log<Number<N>>>,
+pub struct Recorded<'a, F: Format> {
+    nodes: AnyNodes<'a, F>,
+    log: Mutex<Log<F::Real>>,
 }
 
 /// What was asked for.
-#[derive(Debug)]
 struct Log<R> {
     /// By n and offset; boundaries have no offset.
     columns: BTreeSet<Key>,
@@ -27,6 +27,18 @@ struct Log<R> {
     extinctions: Vec<(R, R)>,
     /// s, and C and τ of it.
     transfers: Vec<(R, Transfer<R>)>,
+}
+
+/// How much was asked for: what it was would be pages.
+impl<R> Debug for Log<R> {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let (columns, extinctions) = (self.columns.len(), self.extinctions.len());
+        let transfers = self.transfers.len();
+        write!(
+            f,
+            "{columns} columns, {extinctions} extinctions, {transfers} transfers"
+        )
+    }
 }
 
 /// The inputs of a run, exactly.
@@ -49,9 +61,10 @@ impl<'a> Recording<'a> {
     }
 }
 
-impl<'a, N: Nodes> Recorded<'a, N> {
+impl<'a, F: Format> Recorded<'a, F> {
     /// Nothing recorded yet.
-    pub fn new(nodes: &'a N) -> Self {
+    #[must_use]
+    pub fn new(nodes: AnyNodes<'a, F>) -> Self {
         Recorded {
             nodes,
             log: Mutex::new(Log {
@@ -99,7 +112,7 @@ impl<'a, N: Nodes> Recorded<'a, N> {
             && transfers.all(|((a, _), b)| case.transfer_branches(a) == case.transfer_branches(b))
     }
 
-    fn log(&self) -> MutexGuard<'_, Log<Number<N>>> {
+    fn log(&self) -> MutexGuard<'_, Log<F::Real>> {
         // Records go in whole, so a poisoned log is still sound.
         self.log.lock().unwrap_or_else(PoisonError::into_inner)
     }
@@ -107,9 +120,9 @@ impl<'a, N: Nodes> Recorded<'a, N> {
 
 /// Nodes of a format as numbers of MPFR: apart from it, no code of a replay depends on the format.
 #[derive(Debug)]
-struct Numbers<'a, N>(&'a N);
+struct Numbers<'a, F: Format>(AnyNodes<'a, F>);
 
-impl<N: Nodes> Exactly for Numbers<'_, N> {
+impl<F: Format> Exactly for Numbers<'_, F> {
     fn bits(&self) -> u32 {
         self.0.format().bits()
     }
@@ -123,7 +136,7 @@ impl<N: Nodes> Exactly for Numbers<'_, N> {
             None => self.0.boundaries(n),
             Some(offset) => self.0.interior(n, offset),
         };
-        let floats = |values: &[Number<N>]| values.iter().map(Real::to_float).collect();
+        let floats = |values: &[F::Real]| row(values.iter().map(Real::to_float));
         Column {
             field: floats(&column.field),
             emission: floats(&column.emission),
@@ -140,10 +153,10 @@ impl<N: Nodes> Exactly for Numbers<'_, N> {
     }
 }
 
-impl<N: Nodes> Nodes for Recorded<'_, N> {
-    type Format = N::Format;
+impl<F: Format> Nodes for Recorded<'_, F> {
+    type Format = F;
 
-    fn format(&self) -> N::Format {
+    fn format(&self) -> F {
         self.nodes.format()
     }
 
@@ -151,33 +164,33 @@ impl<N: Nodes> Nodes for Recorded<'_, N> {
         self.nodes.length()
     }
 
-    fn boundaries(&self, n: u64) -> Arc<Column<Number<N>>> {
+    fn boundaries(&self, n: u64) -> Arc<Column<F::Real>> {
         self.log().columns.insert((n, None));
         self.nodes.boundaries(n)
     }
 
-    fn march(&self, n: u64) -> impl Iterator<Item = Transfer<Number<N>>> {
+    fn march(&self, n: u64) -> impl Iterator<Item = Transfer<F::Real>> {
         self.log().columns.insert((n, None));
         self.nodes.march(n)
     }
 
-    fn interior(&self, n: u64, offset: &Rational) -> Arc<Column<Number<N>>> {
+    fn interior(&self, n: u64, offset: &Rational) -> Arc<Column<F::Real>> {
         self.log().columns.insert((n, Some(offset.clone())));
         self.nodes.interior(n, offset)
     }
 
-    fn beyond(&self, n: u64) -> Number<N> {
+    fn beyond(&self, n: u64) -> F::Real {
         self.nodes.beyond(n)
     }
 
-    fn extinction_at(&self, lambda: &Number<N>) -> Number<N> {
+    fn extinction_at(&self, lambda: &F::Real) -> F::Real {
         let extinction = self.nodes.extinction_at(lambda);
         let record = (lambda.clone(), extinction.clone());
         self.log().extinctions.push(record);
         extinction
     }
 
-    fn transfer(&self, s: &Number<N>) -> Transfer<Number<N>> {
+    fn transfer(&self, s: &F::Real) -> Transfer<F::Real> {
         let transfer = self.nodes.transfer(s);
         self.log().transfers.push((s.clone(), transfer.clone()));
         transfer

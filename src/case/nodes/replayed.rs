@@ -1,6 +1,6 @@
 //! The inputs of another run, exactly.
 
-use super::{Column, Nodes, Recording};
+use super::{Column, Nodes, Recording, transfers};
 use crate::case::{PolynomialTransfer, Transfer};
 use crate::real::{Mpfr, MpfrReal};
 use rug::float::Special;
@@ -153,11 +153,7 @@ impl Nodes for Replayed<'_> {
     }
 
     fn march(&self, n: u64) -> impl Iterator<Item = Transfer<MpfrReal>> {
-        let column = self.boundaries(n);
-        (0..column.extinction.len()).map(move |i| Transfer {
-            emission: column.emission[i].clone(),
-            extinction: column.extinction[i].clone(),
-        })
+        transfers(self.boundaries(n))
     }
 
     fn interior(&self, n: u64, offset: &Rational) -> Arc<Column<MpfrReal>> {

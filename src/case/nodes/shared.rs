@@ -1,11 +1,12 @@
 //! Every node evaluated once and kept.
 
-use super::grid::{Grid, indices};
-use super::{Column, Fresh, Nodes};
+use super::grid::Grid;
+use super::{Column, Fresh, Nodes, transfers};
 use crate::case::{Case, PolynomialTransfer, Transfer};
 use crate::real::Format;
 use rug::Rational;
 use std::collections::HashMap;
+use std::fmt::{self, Debug};
 use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
 
 /// Every node evaluated once and kept: all rules, methods and levels that ask share its values.
@@ -15,7 +16,6 @@ pub struct Shared<'c, C, F: Format> {
     cache: Mutex<Cache<F::Real>>,
 }
 
-#[derive(Debug)]
 struct Cache<R> {
     /// By position, a fraction in lowest terms.
     values: HashMap<(u64, u64), (R, Transfer<R>)>,
@@ -54,9 +54,13 @@ impl<'c, C: Case, F: Format> Shared<'c, C, F> {
             return Arc::clone(column);
         }
         let grid = self.fresh.grid(n, offset.unwrap_or(&Rational::new()));
+        let evaluate = |place| {
+            self.fresh.count(1);
+            self.fresh.at_fraction(place)
+        };
         let column = match (grid, offset) {
-            (Some(grid), None) => self.gather(&mut cache, &grid, n + 1),
-            (Some(grid), Some(_)) => self.gather(&mut cache, &grid, n),
+            (Some(grid), None) => cache.gather(&grid, n + 1, &evaluate),
+            (Some(grid), Some(_)) => cache.gather(&grid, n, &evaluate),
             // Places that are no fractions of machine integers belong to their level alone.
             (None, None) => self.fresh.boundaries(n),
             (None, Some(offset)) => self.fresh.interior(n, offset),
@@ -64,18 +68,31 @@ impl<'c, C: Case, F: Format> Shared<'c, C, F> {
         cache.columns.insert(key, Arc::clone(&column));
         column
     }
+}
 
-    fn gather(&self, cache: &mut Cache<F::Real>, grid: &Grid, count: u64) -> Arc<Column<F::Real>> {
-        let places = indices(count);
-        let mut column = Column::with_capacity(places.len());
-        for j in places {
+/// How much is kept: what it is would be pages.
+impl<R> Debug for Cache<R> {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let (values, columns) = (self.values.len(), self.columns.len());
+        write!(f, "{values} values, {columns} columns")
+    }
+}
+
+impl<R: Clone> Cache<R> {
+    /// The places of a grid; `evaluate` is asked for those that are not kept yet.
+    fn gather(
+        &mut self,
+        grid: &Grid,
+        count: u64,
+        evaluate: &dyn Fn((u64, u64)) -> (R, Transfer<R>),
+    ) -> Arc<Column<R>> {
+        let mut column = Column::with_capacity(count);
+        for j in 0..count {
             let (numerator, denominator) = grid.place(j);
             let common = gcd(numerator, denominator);
             let key = (numerator / common, denominator / common);
-            let (field, transfer) = cache.values.entry(key).or_insert_with(|| {
-                self.fresh.count(1);
-                self.fresh.at_fraction(key)
-            });
+            let kept = self.values.entry(key);
+            let (field, transfer) = kept.or_insert_with(|| evaluate(key));
             column.push(field.clone(), transfer.clone());
         }
         Arc::new(column)
@@ -98,11 +115,7 @@ impl<C: Case, F: Format> Nodes for Shared<'_, C, F> {
     }
 
     fn march(&self, n: u64) -> impl Iterator<Item = Transfer<F::Real>> {
-        let column = self.boundaries(n);
-        (0..column.extinction.len()).map(move |i| Transfer {
-            emission: column.emission[i].clone(),
-            extinction: column.extinction[i].clone(),
-        })
+        transfers(self.boundaries(n))
     }
 
     fn interior(&self, n: u64, offset: &Rational) -> Arc<Column<F::Real>> {

@@ -88,7 +88,8 @@ impl Grow {
     }
 
     /// About what it is at λ = `length`, the far end.
-    pub(super) fn at_far_end(&self, length: f64) -> f64 {
+    #[must_use]
+    pub fn at_far_end(&self, length: f64) -> f64 {
         match self {
             Grow::Power { factor, exponent } => {
                 let power: f64 = (0..*exponent).map(|_| length).product();

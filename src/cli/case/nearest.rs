@@ -37,24 +37,3 @@ fn distance(a: &str, b: &str) -> usize {
     }
     row.last().copied().unwrap_or(0)
 }
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn distances_count_letters() {
-        assert_eq!(distance("", "abc"), 3);
-        assert_eq!(distance("kitten", "sitting"), 3);
-        assert_eq!(distance("abc", "abc"), 0);
-    }
-
-    #[test]
-    fn near_names_come_first() {
-        let known = ["thick", "thick-back", "thin", "vacuum"];
-        assert_eq!(nearest("thik", known.into_iter()), ["thick", "thin"]);
-        assert_eq!(nearest("back", known.into_iter()), ["thick-back"]);
-        assert!(nearest("homogeneous", known.into_iter()).is_empty());
-        assert!(nearest(&"x".repeat(1000), known.into_iter()).is_empty());
-    }
-}

@@ -6,8 +6,6 @@
 
 mod curve;
 mod law;
-#[cfg(test)]
-mod tests;
 
 pub use law::RoundoffLaw;
 

@@ -43,6 +43,7 @@ mod cell;
 mod oracle;
 mod parts;
 mod ran;
+mod trace;
 
 pub use cell::{Cell, Split};
 pub use oracle::Oracle;

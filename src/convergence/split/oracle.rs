@@ -2,14 +2,16 @@
 
 use super::Cell;
 use super::parts::{self, Followed, Inputs, Measured};
-use super::ran::{follow, may_stop, run};
-use crate::case::{Case, Nodes, Number, Recorded, Replayed, Shared};
-use crate::method::{Level, Method, MethodError, Stop};
-use crate::real::{Format, Mpfr, MpfrReal, Real};
+use super::ran::{Exact, exact, follow, run};
+use super::trace::{Ray, Traced};
+use crate::case::{AnyNodes, Case, Nodes, Replayed, Shared};
+use crate::method::{Level, Method, MethodError};
+use crate::real::{Mpfr, MpfrReal};
 use crate::reference::{self, ReferenceError};
 use rug::{Float, Rational};
 use std::borrow::Cow;
 use std::collections::BTreeMap;
+use std::ops::Range;
 use std::sync::{Arc, Mutex, MutexGuard, OnceLock, PoisonError};
 
 /// The fewest bits the oracle starts with.
@@ -34,17 +36,6 @@ pub struct Oracle<'c, C: Case> {
 
 /// Values that are made once, by whoever asks first.
 type Kept<K, V> = Mutex<BTreeMap<K, Arc<OnceLock<V>>>>;
-
-/// A method without rounding.
-#[derive(Clone, Debug)]
-pub(super) struct Exact {
-    /// The radiance, stopped where the method stops.
-    pub(super) declared: Float,
-    /// Where that is, if before the end.
-    pub(super) stopped: Option<u64>,
-    /// The radiance of the whole ray.
-    pub(super) whole: Float,
-}
 
 impl<'c, C: Case> Oracle<'c, C> {
     /// Nothing computed yet.
@@ -107,61 +98,54 @@ impl<'c, C: Case> Oracle<'c, C> {
         nodes: &N,
         n: u64,
     ) -> Result<Vec<Result<Cell, MethodError>>, ReferenceError> {
-        let all: Vec<usize> = (0..self.methods.len()).collect();
+        let ray = Ray {
+            case: self.case,
+            nodes: AnyNodes::new(nodes),
+            n,
+        };
+        self.split_ray(&ray)
+    }
+
+    fn split_ray(
+        &self,
+        ray: &dyn Traced,
+    ) -> Result<Vec<Result<Cell, MethodError>>, ReferenceError> {
+        let all = 0..self.methods.len();
         if !self.has_jumps
-            && let Some(cells) = self.split_together(nodes, n, &all)?
+            && let Some(cells) = self.split_together(ray, all.clone())?
         {
             return Ok(cells);
         }
         // One by one: where one method goes another way, those beside it need not.
         let mut cells = Vec::with_capacity(all.len());
         for method in all {
-            match self.split_together(nodes, n, &[method])? {
+            match self.split_together(ray, method..method + 1)? {
                 Some(cell) => cells.extend(cell),
                 None => cells.push(Ok(Cell::BranchDiverged {
-                    total: self.total(nodes, n, method)?,
+                    total: self.total(ray, &self.methods[method])?,
                 })),
             }
         }
         Ok(cells)
     }
 
-    /// The methods of these indices; `None` where a replay asked for something else than was recorded, or the
+    /// The methods in this range; `None` where a replay asked for something else than was recorded, or the
     /// run stood on another side of a jump.
-    fn split_together<N: Nodes>(
+    fn split_together(
         &self,
-        nodes: &N,
-        n: u64,
-        methods: &[usize],
+        ray: &dyn Traced,
+        range: Range<usize>,
     ) -> Result<Option<Vec<Result<Cell, MethodError>>>, ReferenceError> {
-        let recorded = Recorded::new(nodes);
-        let mut level = Level::new(&recorded, n);
-        let runs: Vec<_> = methods
-            .iter()
-            .map(|&m| run(&mut level, &self.methods[m], Stop::AsDeclared))
-            .collect();
-        // What is asked for from here on is no part of the run.
-        let recording = recorded.recording();
-        let measured: Vec<Result<Measured, MethodError>> = methods
-            .iter()
-            .zip(runs)
-            .map(|(&m, ran)| {
-                let ran = ran?;
-                let rows = level.transmittances(&self.methods[m])?;
-                Ok(Measured {
-                    radiance: ran.radiance.to_float(),
-                    stopped: ran.stopped,
-                    transmittances: rows.iter().map(|row| floats::<N>(row)).collect(),
-                })
-            })
-            .collect();
+        let n = ray.segments();
+        let methods = &self.methods[range.clone()];
+        let trace = ray.trace(methods);
         let replayed = |bits| -> Option<Vec<Result<Followed, MethodError>>> {
-            let inputs = recording.replay(bits);
-            let followed = self.follow(&inputs, n, methods, &measured);
-            let same = !self.has_jumps || recorded.took_the_sides_of(self.case, &inputs);
+            let inputs = trace.recording.replay(bits);
+            let followed = follow_all(&inputs, n, methods, &trace.measured);
+            let same = !self.has_jumps || (trace.took_the_sides_of)(&inputs);
             (inputs.is_complete() && same).then_some(followed)
         };
-        let mut bits = first_bits(nodes.format().bits());
+        let mut bits = first_bits(ray.bits());
         let Some(mut coarse) = replayed(bits) else {
             return Ok(None);
         };
@@ -180,12 +164,14 @@ impl<'c, C: Case> Oracle<'c, C> {
                 })
             };
             let (low, high) = (inputs(bits, &coarse)?, inputs(double, &fine)?);
-            let cells: Vec<Result<Cell, MethodError>> = measured
+            let cells: Vec<Result<Cell, MethodError>> = trace
+                .measured
                 .iter()
+                .zip(range.clone())
                 .enumerate()
-                .map(|(i, measured)| {
+                .map(|(i, (measured, method))| {
                     let measured = measured.as_ref().map_err(Clone::clone)?;
-                    parts::cell(measured, methods[i], i, &low, &high)
+                    parts::cell(measured, method, i, &low, &high)
                 })
                 .collect();
             let settled =
@@ -195,47 +181,6 @@ impl<'c, C: Case> Oracle<'c, C> {
             }
             (bits, coarse) = (double, fine);
         }
-    }
-
-    /// The methods on the recorded inputs, stopped where the run stopped.
-    fn follow(
-        &self,
-        inputs: &Replayed<'_>,
-        n: u64,
-        methods: &[usize],
-        measured: &[Result<Measured, MethodError>],
-    ) -> Vec<Result<Followed, MethodError>> {
-        let mut level = Level::new(inputs, n);
-        let radiances: Vec<_> = methods
-            .iter()
-            .zip(measured)
-            .map(|(&m, measured)| {
-                let measured = measured.as_ref().map_err(Clone::clone)?;
-                run(&mut level, &self.methods[m], follow(measured.stopped))
-            })
-            .collect();
-        methods
-            .iter()
-            .zip(measured)
-            .zip(radiances)
-            .map(|((&m, measured), ran)| {
-                let measured = measured.as_ref().map_err(Clone::clone)?;
-                let rows: Vec<Cow<'_, [MpfrReal]>> = measured
-                    .transmittances
-                    .iter()
-                    .map(|row| Cow::Owned(numbers(row, inputs.format())))
-                    .collect();
-                let under = if rows.is_empty() {
-                    None
-                } else {
-                    Some(level.radiance_under(&self.methods[m], &rows)?.into())
-                };
-                Ok(Followed {
-                    radiance: ran?.radiance.into(),
-                    under,
-                })
-            })
-            .collect()
     }
 
     /// All methods without rounding, in order.
@@ -252,37 +197,54 @@ impl<'c, C: Case> Oracle<'c, C> {
     }
 
     /// `Q_f` − I alone.
-    fn total<N: Nodes>(&self, nodes: &N, n: u64, method: usize) -> Result<Float, ReferenceError> {
-        let bits = first_bits(nodes.format().bits());
+    fn total(&self, ray: &dyn Traced, method: &Method) -> Result<Float, ReferenceError> {
+        let bits = first_bits(ray.bits());
         let radiance = self.radiance(bits)?;
-        let ran = run(
-            &mut Level::new(nodes, n),
-            &self.methods[method],
-            Stop::AsDeclared,
-        );
-        Ok(match ran {
-            Ok(ran) => parts::difference(&ran.radiance.to_float(), &radiance, bits),
+        Ok(match ray.radiance(method) {
+            Ok(ran) => parts::difference(&ran, &radiance, bits),
             Err(_) => Float::with_val(bits, rug::float::Special::Nan),
         })
     }
 }
 
-/// A method without rounding on one level.
-fn exact<N: Nodes<Format = Mpfr>>(
-    level: &mut Level<'_, N>,
-    method: &Method,
-) -> Result<Exact, MethodError> {
-    let declared = run(level, method, Stop::AsDeclared)?;
-    let whole = if may_stop(method) && declared.stopped.is_some() {
-        run(level, method, Stop::Never)?.radiance.into()
-    } else {
-        declared.radiance.clone().into()
-    };
-    Ok(Exact {
-        declared: declared.radiance.into(),
-        stopped: declared.stopped,
-        whole,
-    })
+/// The methods on the recorded inputs, stopped where the run stopped.
+fn follow_all(
+    inputs: &Replayed<'_>,
+    n: u64,
+    methods: &[Method],
+    measured: &[Result<Measured, MethodError>],
+) -> Vec<Result<Followed, MethodError>> {
+    let mut level = Level::new(inputs, n);
+    let radiances: Vec<_> = methods
+        .iter()
+        .zip(measured)
+        .map(|(method, measured)| {
+            let measured = measured.as_ref().map_err(Clone::clone)?;
+            run(&mut level, method, follow(measured.stopped))
+        })
+        .collect();
+    methods
+        .iter()
+        .zip(measured)
+        .zip(radiances)
+        .map(|((method, measured), ran)| {
+            let measured = measured.as_ref().map_err(Clone::clone)?;
+            let rows: Vec<Cow<'_, [MpfrReal]>> = measured
+                .transmittances
+                .iter()
+                .map(|row| Cow::Owned(numbers(row, inputs.format())))
+                .collect();
+            let under = if rows.is_empty() {
+                None
+            } else {
+                Some(level.radiance_under(method, &rows)?.into())
+            };
+            Ok(Followed {
+                radiance: ran?.radiance.into(),
+                under,
+            })
+        })
+        .collect()
 }
 
 /// The oracle's first precision for a format of `bits` bits: a power of two, so that formats share it.
@@ -292,10 +254,6 @@ fn first_bits(bits: u32) -> u32 {
         .max(LEAST_BITS)
         .checked_next_power_of_two()
         .unwrap_or(wanted)
-}
-
-fn floats<N: Nodes>(row: &[Number<N>]) -> Vec<Float> {
-    row.iter().map(Real::to_float).collect()
 }
 
 fn numbers(row: &[Float], format: Mpfr) -> Vec<MpfrReal> {

@@ -1,6 +1,6 @@
 //! The parts of an error at two precisions of the oracle, and whether they agree.
 
-use super::oracle::Exact;
+use super::ran::Exact;
 use super::{Cell, Split};
 use crate::method::MethodError;
 use rug::Float;

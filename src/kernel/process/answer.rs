@@ -11,12 +11,10 @@ use serde_json::error::Category;
 type Results = Vec<Result<Rendering, KernelError>>;
 
 /// The results of the tasks, whose request has that id; radiances have at least that many bits.
-pub(super) fn read(
-    line: &[u8],
-    id: u64,
-    tasks: &[&Task<'_>],
-    bits: u32,
-) -> Result<Results, Trouble> {
+///
+/// # Errors
+/// [`Trouble`] where the line is no answer to that request.
+pub fn read(line: &[u8], id: u64, tasks: &[&Task<'_>], bits: u32) -> Result<Results, Trouble> {
     let answer: Radiance = serde_json::from_slice(line)
         .or_else(|error| match quoted(line) {
             Some(line) => serde_json::from_slice(&line),

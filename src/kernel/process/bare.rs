@@ -8,7 +8,8 @@ const BARE: [(&[u8], &[u8]); 3] = [
 ];
 
 /// The line with them as text; nothing if it has none.
-pub(super) fn quoted(line: &[u8]) -> Option<Vec<u8>> {
+#[must_use]
+pub fn quoted(line: &[u8]) -> Option<Vec<u8>> {
     let mut out = Vec::with_capacity(line.len());
     let (mut rest, mut in_text, mut found) = (line, false, false);
     while let Some((byte, behind)) = rest.split_first() {

@@ -17,9 +17,11 @@ const MAX_NAME: usize = 100;
 
 /// A greeting that makes sense.
 #[derive(Clone, Debug, PartialEq)]
-pub(super) struct Greeting {
-    pub(super) declaration: Declaration,
-    pub(super) numbers: Numbers,
+pub struct Greeting {
+    /// What it declares.
+    pub declaration: Declaration,
+    /// How it wants its numbers.
+    pub numbers: Numbers,
     pub(super) arrays: Arrays,
 }
 
@@ -33,7 +35,10 @@ pub(super) fn hello() -> VolverHello {
 }
 
 /// The kernel's answer to that.
-pub(super) fn read(line: &[u8]) -> Result<Greeting, Trouble> {
+///
+/// # Errors
+/// [`Trouble`] where it makes no sense.
+pub fn read(line: &[u8]) -> Result<Greeting, Trouble> {
     let value: Value = match serde_json::from_slice(line) {
         Ok(value @ Value::Object(_)) => value,
         Ok(_) | Err(_) => return Err(Trouble::garbage("no JSON object", line)),
@@ -114,7 +119,8 @@ fn above_zero(key: &str, number: Option<Number>) -> Result<Option<f64>, String> 
 
 impl Greeting {
     /// The keys in which another greeting differs.
-    pub(super) fn changes(&self, other: &Greeting) -> Vec<&'static str> {
+    #[must_use]
+    pub fn changes(&self, other: &Greeting) -> Vec<&'static str> {
         let (a, b) = (&self.declaration, &other.declaration);
         [
             ("name", a.name == b.name),

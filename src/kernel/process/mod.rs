@@ -5,11 +5,11 @@
 //! in any way is killed with its whole process group, and started anew when the next radiance is wanted; what is
 //! dropped leaves no process behind, unless a process left the group.
 
-mod answer;
-mod bare;
+pub(crate) mod answer;
+pub(crate) mod bare;
 mod child;
 mod files;
-mod greeting;
+pub(crate) mod greeting;
 mod message;
 mod number;
 mod options;
@@ -18,10 +18,8 @@ mod registry;
 mod request;
 mod schema;
 mod tail;
-#[cfg(test)]
-mod tests;
-mod trouble;
-mod written;
+pub(crate) mod trouble;
+pub(crate) mod written;
 
 pub use options::Options;
 pub use registry::stop_all;

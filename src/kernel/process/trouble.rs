@@ -7,7 +7,7 @@ const SHOWN: usize = 80;
 
 /// Why a conversation cannot go on.
 #[derive(Debug)]
-pub(super) enum Trouble {
+pub enum Trouble {
     /// Nothing came in time.
     TimedOut,
     /// It closed a pipe: `request` or `answer`.
@@ -15,11 +15,24 @@ pub(super) enum Trouble {
     /// The system refuses to read or write.
     System(io::Error),
     /// What came is no message.
-    Garbage { problem: String, excerpt: String },
+    Garbage {
+        /// Why not.
+        problem: String,
+        /// How it begins.
+        excerpt: String,
+    },
     /// It greets as no kernel does.
-    Greeting { problem: String },
+    Greeting {
+        /// What is wrong with the greeting.
+        problem: String,
+    },
     /// It answers something else.
-    WrongId { got: String, wanted: u64 },
+    WrongId {
+        /// The id of the answer.
+        got: String,
+        /// That of the request.
+        wanted: u64,
+    },
 }
 
 impl Trouble {

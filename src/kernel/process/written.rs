@@ -8,7 +8,7 @@ use std::fmt;
 /// How a kernel wants its numbers.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, serde::Deserialize, JsonSchema)]
 #[serde(rename_all = "lowercase")]
-pub(super) enum Numbers {
+pub enum Numbers {
     /// The shortest decimal that is read as the same binary64.
     #[default]
     Decimal,
@@ -18,14 +18,16 @@ pub(super) enum Numbers {
 
 /// One number.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Written {
-    pub(super) value: f64,
-    pub(super) numbers: Numbers,
+pub struct Written {
+    /// The number.
+    pub value: f64,
+    /// How it is wanted.
+    pub numbers: Numbers,
 }
 
 /// A row of them.
 #[derive(Clone, Debug)]
-pub(super) enum Array<'a> {
+pub enum Array<'a> {
     /// In the message.
     Here(&'a [f64], Numbers),
     /// In a file, as `numpy.save` writes it.

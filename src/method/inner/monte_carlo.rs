@@ -3,7 +3,7 @@
 use super::OpticalDepth;
 use crate::case::{Nodes, Number};
 use crate::quadrature::{Draws, Sampling};
-use crate::real::Format;
+use crate::real::{Format, row};
 use rug::Rational;
 
 pub(super) fn depth<N: Nodes>(
@@ -53,13 +53,10 @@ pub(super) fn partial_depths<N: Nodes>(
         Sampling::Stratified => stratified(&mut inside_stream(seed, n), nodes, n, offset),
         Sampling::Independent => {
             let mut draws = inside_stream(seed, n);
-            (0..n)
-                .zip(&depth.boundaries)
-                .map(|(j, front)| {
-                    let position = Rational::from(offset + j) / n;
-                    independent(&mut draws, nodes, n, &position) - front
-                })
-                .collect()
+            row((0..n).zip(&depth.boundaries).map(|(j, front)| {
+                let position = Rational::from(offset + j) / n;
+                independent(&mut draws, nodes, n, &position) - front
+            }))
         }
     }
 }
@@ -73,7 +70,7 @@ fn shared<N: Nodes>(draws: &mut Draws, nodes: &N, n: u64, offset: &Rational) -> 
     let format = nodes.format();
     let length = format.ratio(nodes.length());
     let step = format.ratio(&(Rational::from(nodes.length()) / n));
-    let mut segments: Vec<Number<N>> = (0..n).map(|_| format.int(0)).collect();
+    let mut segments: Vec<Number<N>> = row((0..n).map(|_| format.int(0)));
     for _ in 0..n {
         let draw = draws.draw();
         let (segment, part) = draw.segment(n);
@@ -95,13 +92,11 @@ fn stratified<N: Nodes>(draws: &mut Draws, nodes: &N, n: u64, offset: &Rational)
     let format = nodes.format();
     let length = format.ratio(nodes.length());
     let width = format.ratio(&(Rational::from(offset * nodes.length()) / n));
-    (0..n)
-        .map(|j| {
-            let front = format.fraction(j, n) * &length;
-            let lambda = draws.draw().at(format) * &width + &front;
-            nodes.extinction_at(&lambda) * &width
-        })
-        .collect()
+    row((0..n).map(|j| {
+        let front = format.fraction(j, n) * &length;
+        let lambda = draws.draw().at(format) * &width + &front;
+        nodes.extinction_at(&lambda) * &width
+    }))
 }
 
 /// The depth up to λ = D·position from n samples on [0, λ).

@@ -2,7 +2,7 @@
 
 use crate::case::{Nodes, Number};
 use crate::quadrature::{Rule, RuleError};
-use crate::real::Format;
+use crate::real::{Format, row};
 use rug::Rational;
 
 /// For each segment the depth from its front to `offset` of its length: x·d Σ wₖ τ(λⱼ + x cₖ d).
@@ -28,7 +28,7 @@ pub(super) fn partial_depths<N: Nodes>(
         };
         let extinctions = column.extinction[skip..].iter().take(index(n));
         if depths.is_empty() {
-            depths = extinctions.map(|tau| tau.clone() * &weight).collect();
+            depths = row(extinctions.map(|tau| tau.clone() * &weight));
         } else {
             for (depth, tau) in depths.iter_mut().zip(extinctions) {
                 *depth += &(tau.clone() * &weight);

@@ -10,7 +10,7 @@ use crate::method::MethodError;
 use crate::method::breaks::{Allowed, Meeting};
 use crate::method::limit::{Limit, Part, euler_maclaurin};
 use crate::quadrature::Rule;
-use crate::real::{Format, Real};
+use crate::real::{Format, Real, row, try_row};
 use rug::Rational;
 use std::fmt;
 
@@ -36,16 +36,13 @@ impl Color {
         let step = format.ratio(&(Rational::from(nodes.length()) / n.max(1)));
         let fields = self.interpolant.segments(nodes, n)?;
         match self.integration {
-            Integration::Closed => fields
-                .iter()
-                .map(|field| self.closed(nodes, field, &step))
-                .collect(),
+            Integration::Closed => {
+                try_row(fields.iter().map(|field| self.closed(nodes, field, &step)))
+            }
             Integration::SubIntervals { count, rule } => {
                 let sum = CompositeSum::new(rule, count, format)?;
-                fields
-                    .iter()
-                    .map(|field| self.by_rule(nodes, field, &step, rule, &sum))
-                    .collect()
+                let fields = fields.iter();
+                try_row(fields.map(|field| self.by_rule(nodes, field, &step, rule, &sum)))
             }
         }
     }
@@ -85,10 +82,7 @@ impl Color {
             (false, _) => vec![format.int(0); sum.places.len()],
             (true, Some(_)) => {
                 let depth = closed_depth(nodes, field, step)?;
-                sum.places
-                    .iter()
-                    .map(|x| evaluate_depth(&depth, x))
-                    .collect()
+                row(sum.places.iter().map(|x| evaluate_depth(&depth, x)))
             }
             (true, None) => depths_by_rule(nodes, field, step, rule, &sum.places)?,
         };

@@ -3,7 +3,7 @@
 use crate::method::MethodError;
 use crate::method::breaks::{Allowed, Meeting};
 use crate::quadrature::Rule;
-use crate::real::{Format, Real};
+use crate::real::{Format, Real, row};
 use rug::Rational;
 use std::fmt;
 
@@ -80,7 +80,7 @@ impl Integration {
             Integration::SubIntervals { count: 0, .. } => return Err(MethodError::NoSubIntervals),
             Integration::SubIntervals { count, .. } => u64::from(count),
         };
-        Ok((1..=count).map(|i| format.fraction(i, count)).collect())
+        Ok(row((1..=count).map(|i| format.fraction(i, count))))
     }
 }
 
@@ -111,7 +111,7 @@ impl<R: Real> CompositeSum<R> {
                 }
             }
         }
-        let round = |rationals: &[Rational]| rationals.iter().map(|q| format.ratio(q)).collect();
+        let round = |rationals: &[Rational]| row(rationals.iter().map(|q| format.ratio(q)));
         Ok(CompositeSum {
             places: round(&places),
             weights: round(&weights),

@@ -2,7 +2,7 @@
 
 use crate::case::{Nodes, Number, Structure};
 use crate::method::error::MethodError;
-use crate::real::{Format, Real};
+use crate::real::{Format, Real, row};
 use rug::Rational;
 use std::fmt;
 
@@ -76,18 +76,15 @@ impl Interpolant {
         let column = nodes.boundaries(n);
         let ends = column.field.windows(2);
         Ok(match self {
-            Interpolant::Linear => ends
-                .map(|s| vec![s[0].clone(), s[1].clone() - &s[0]])
-                .collect(),
+            Interpolant::Linear => row(ends.map(|s| vec![s[0].clone(), s[1].clone() - &s[0]])),
             Interpolant::QuadraticMidpoint => {
                 let middle = nodes.interior(n, &Rational::from((1, 2)));
-                ends.zip(&middle.field)
-                    .map(|(s, m)| through_middle(&s[0], m, &s[1]))
-                    .collect()
+                let both = ends.zip(&middle.field);
+                row(both.map(|(s, m)| through_middle(&s[0], m, &s[1])))
             }
             Interpolant::Quadratic(last) => {
                 let triples = column.field.windows(3);
-                let mut segments: Vec<_> = triples.map(|s| forward(&s[0], &s[1], &s[2])).collect();
+                let mut segments = row(triples.map(|s| forward(&s[0], &s[1], &s[2])));
                 match (last, &column.field[..]) {
                     (LastSegment::Beyond, [.., a, b]) => {
                         segments.push(forward(a, b, &nodes.beyond(n)));

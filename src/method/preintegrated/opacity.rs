@@ -8,7 +8,7 @@ use crate::method::MethodError;
 use crate::method::breaks::{Allowed, Meeting};
 use crate::method::limit::{Limit, Part};
 use crate::quadrature::Rule;
-use crate::real::{Format, Real};
+use crate::real::{Format, Real, row, try_row};
 use rug::Rational;
 use std::fmt;
 
@@ -31,22 +31,17 @@ impl Opacity {
         let step = format.ratio(&(Rational::from(nodes.length()) / n.max(1)));
         let end = format.int(1);
         let grid = self.integration.boundaries(format)?;
-        self.interpolant
-            .segments(nodes, n)?
-            .iter()
-            .map(|field| {
-                let depth = match self.integration {
-                    Integration::Closed => {
-                        evaluate_depth(&closed_depth(nodes, field, &step)?, &end)
-                    }
-                    Integration::SubIntervals { rule, .. } => {
-                        let depths = depths_by_rule(nodes, field, &step, rule, &grid)?;
-                        depths.last().cloned().unwrap_or_else(|| format.int(0))
-                    }
-                };
-                Ok((-depth).exp())
-            })
-            .collect()
+        let fields = self.interpolant.segments(nodes, n)?;
+        try_row(fields.iter().map(|field| {
+            let depth = match self.integration {
+                Integration::Closed => evaluate_depth(&closed_depth(nodes, field, &step)?, &end),
+                Integration::SubIntervals { rule, .. } => {
+                    let depths = depths_by_rule(nodes, field, &step, rule, &grid)?;
+                    depths.last().cloned().unwrap_or_else(|| format.int(0))
+                }
+            };
+            Ok((-depth).exp())
+        }))
     }
 
     /// What a break allows the integral over τ(s̄).
@@ -115,8 +110,8 @@ pub(super) fn depths_by_rule<N: Nodes>(
     let format = nodes.format();
     let table = rule.table(format.bits())?;
     let round = |q: &Rational| format.ratio(q);
-    let offsets: Vec<_> = table.nodes.iter().map(round).collect();
-    let weights: Vec<_> = table.weights.iter().map(round).collect();
+    let offsets = row(table.nodes.iter().map(round));
+    let weights = row(table.weights.iter().map(round));
     let mut depth = format.int(0);
     let mut from = format.int(0);
     let mut depths = Vec::with_capacity(grid.len());

@@ -1,6 +1,6 @@
 //! Polynomials with coefficients in a format, lowest first.
 
-use crate::real::{Format, Real};
+use crate::real::{Format, Real, row};
 use rug::Rational;
 
 /// p(x) by Horner's scheme.
@@ -44,10 +44,8 @@ fn multiply<R: Real>(a: &[R], b: &[R], format: R::Format) -> Vec<R> {
 
 /// factor · ∫₀ˣ p, without its constant term, which is 0: coefficient k belongs to x^(k+1).
 pub(super) fn antiderivative<R: Real>(polynomial: &[R], factor: &R) -> Vec<R> {
-    (1..)
-        .zip(polynomial)
-        .map(|(k, c)| c.clone() * factor / &factor.format().int(k))
-        .collect()
+    let integrated = |(k, c): (i64, &R)| c.clone() * factor / &factor.format().int(k);
+    row((1..).zip(polynomial).map(integrated))
 }
 
 /// p(origin + scale·x).

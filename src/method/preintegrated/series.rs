@@ -8,7 +8,7 @@
 
 use super::polynomial::{evaluate, shift};
 use crate::method::MethodError;
-use crate::real::{Format, Real};
+use crate::real::{Format, Real, row};
 
 /// More pieces than this mean a segment too thick to be worth integrating.
 const MAX_PIECES: f64 = 65536.0;
@@ -17,7 +17,7 @@ const MAX_PIECES: f64 = 65536.0;
 ///
 /// # Errors
 /// [`MethodError::ThickSegment`] where Σ|θₖ| exceeds 65536.
-pub(crate) fn attenuated_integral<R: Real>(source: &[R], depth: &[R]) -> Result<R, MethodError> {
+pub fn attenuated_integral<R: Real>(source: &[R], depth: &[R]) -> Result<R, MethodError> {
     let Some(first) = source.first() else {
         return Err(MethodError::NoClosedForm);
     };
@@ -42,7 +42,7 @@ pub(crate) fn attenuated_integral<R: Real>(source: &[R], depth: &[R]) -> Result<
     // θ with its constant term, so that it can be shifted, and scaled once already: shifted coefficients
     // of θ itself may exceed the range of a small format.
     let scaled = depth.iter().map(|c| c.clone() * &scale);
-    let whole: Vec<R> = std::iter::once(format.int(0)).chain(scaled).collect();
+    let whole = row(std::iter::once(format.int(0)).chain(scaled));
     let mut sum = format.int(0);
     let mut transmittance = format.int(1);
     for piece in 0..pieces {
@@ -65,10 +65,7 @@ pub(crate) fn attenuated_integral<R: Real>(source: &[R], depth: &[R]) -> Result<
 
 /// The series itself, where `size` ≥ Σ|θₖ| is at most about 1.
 fn series<R: Real>(source: &[R], depth: &[R], size: f64, format: R::Format) -> R {
-    let slopes: Vec<R> = (1..)
-        .zip(depth)
-        .map(|(k, c)| c.clone() * &format.int(k))
-        .collect();
+    let slopes = row((1..).zip(depth).map(|(k, c)| c.clone() * &format.int(k)));
     let mut coefficients = vec![format.int(1)];
     let mut sum = format.int(0);
     for m in 0..=terms(size, depth.len(), format.bits()) {
@@ -99,6 +96,3 @@ fn terms(size: f64, degree: usize, bits: u32) -> usize {
 fn index(m: usize) -> i64 {
     i64::try_from(m).unwrap_or(i64::MAX)
 }
-
-#[cfg(test)]
-mod tests;

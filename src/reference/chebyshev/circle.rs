@@ -5,7 +5,7 @@ use rug::ops::NegAssign;
 
 /// cos(πk/n), k = 0 … n, for the largest n so far.
 #[derive(Debug)]
-pub(in crate::reference) struct Circle {
+pub struct Circle {
     bits: u32,
     cosines: Vec<Float>,
     /// cos(π/n).
@@ -14,7 +14,8 @@ pub(in crate::reference) struct Circle {
 
 impl Circle {
     /// The table of n = 2.
-    pub(in crate::reference) fn new(bits: u32) -> Circle {
+    #[must_use]
+    pub fn new(bits: u32) -> Circle {
         let at = |x: i32| Float::with_val(bits, x);
         Circle {
             bits,
@@ -32,7 +33,7 @@ impl Circle {
     ///
     /// cos(π/2n) = √((1 + cos(π/n))/2), and between two neighbours (cos a + cos b) / (2 cos((b − a)/2)), which
     /// adds an error of a unit or two at each doubling.
-    pub(in crate::reference) fn grow(&mut self, n: usize) {
+    pub fn grow(&mut self, n: usize) {
         while self.degree() < n {
             let half = Float::with_val(self.bits, &self.first + 1) / 2_u32;
             self.first = half.sqrt();
@@ -53,18 +54,21 @@ impl Circle {
     }
 
     /// cos(πk/n) for 0 ≤ k ≤ n, where the table serves n.
-    pub(in crate::reference) fn cosine(&self, k: usize, n: usize) -> &Float {
+    #[must_use]
+    pub fn cosine(&self, k: usize, n: usize) -> &Float {
         &self.cosines[k * (self.degree() / n)]
     }
 
     /// sin(πk/n) for 0 ≤ k ≤ n, where the table serves n.
-    pub(super) fn sine(&self, k: usize, n: usize) -> &Float {
+    #[must_use]
+    pub fn sine(&self, k: usize, n: usize) -> &Float {
         let quarter = self.degree() / 2;
         &self.cosines[(k * (self.degree() / n)).abs_diff(quarter)]
     }
 
     /// (1 − cos(πk/n))/2: the points of [0, 1], from the left.
-    pub(in crate::reference) fn place(&self, k: usize, n: usize) -> Float {
+    #[must_use]
+    pub fn place(&self, k: usize, n: usize) -> Float {
         let mut place = self.cosine(k, n).clone();
         place.neg_assign();
         (place + 1_u32) / 2_u32

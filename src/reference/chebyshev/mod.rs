@@ -8,9 +8,8 @@
 mod circle;
 mod fourier;
 mod series;
-#[cfg(test)]
-mod tests;
-mod transform;
+pub(crate) mod transform;
 
-pub(super) use circle::Circle;
-pub(super) use series::{Series, log2_abs};
+pub use circle::Circle;
+pub use series::Series;
+pub(super) use series::log2_abs;

@@ -7,11 +7,12 @@ use std::ops::RangeInclusive;
 
 /// Σ aⱼ Tⱼ(ξ), a₀ first.
 #[derive(Clone, Debug)]
-pub(in crate::reference) struct Series(Vec<Float>);
+pub struct Series(Vec<Float>);
 
 impl Series {
     /// The series of degree n through n + 1 values from left to right; the circle serves n.
-    pub(in crate::reference) fn through(values: &[Float], circle: &Circle) -> Series {
+    #[must_use]
+    pub fn through(values: &[Float], circle: &Circle) -> Series {
         let n = values.len().saturating_sub(1);
         let exponent = n.trailing_zeros();
         let mut coefficients = cosine_transform(values, circle);
@@ -26,7 +27,8 @@ impl Series {
     }
 
     /// The values at the n + 1 points of a degree n no less than its own; the circle serves n.
-    pub(in crate::reference) fn values(&self, n: usize, circle: &Circle) -> Vec<Float> {
+    #[must_use]
+    pub fn values(&self, n: usize, circle: &Circle) -> Vec<Float> {
         let mut padded = self.0.clone();
         padded.resize(n + 1, Float::new(circle.bits()));
         for end in [0, n] {
@@ -39,7 +41,8 @@ impl Series {
     ///
     /// ∫ Tⱼ dξ = Tⱼ₊₁/(2(j + 1)) − Tⱼ₋₁/(2(j − 1)), and the width is 2 in ξ, from right to left. What would be
     /// of degree n + 1 is left out: it is less than the last coefficient.
-    pub(in crate::reference) fn integral(&self, width: &Float) -> Series {
+    #[must_use]
+    pub fn integral(&self, width: &Float) -> Series {
         let n = self.0.len().saturating_sub(1);
         let bits = width.prec();
         let zero = Float::new(bits);
@@ -59,7 +62,7 @@ impl Series {
     }
 
     /// The value at the right end, ξ = −1.
-    pub(in crate::reference) fn at_right(&self) -> Float {
+    pub fn at_right(&self) -> Float {
         let mut sum = Float::new(self.0.first().map_or(2, Float::prec));
         for (j, coefficient) in self.0.iter().enumerate() {
             if j % 2 == 0 {
@@ -72,13 +75,14 @@ impl Series {
     }
 
     /// log₂ of the largest |aⱼ| of those coefficients; −∞ where all are 0.
-    pub(in crate::reference) fn log2_largest(&self, range: RangeInclusive<usize>) -> f64 {
+    pub fn log2_largest(&self, range: RangeInclusive<usize>) -> f64 {
         let part = self.0.get(range).unwrap_or_default();
         part.iter().map(log2_abs).fold(f64::NEG_INFINITY, f64::max)
     }
 
     /// The degree that it is held with.
-    pub(in crate::reference) fn degree(&self) -> usize {
+    #[must_use]
+    pub fn degree(&self) -> usize {
         self.0.len().saturating_sub(1)
     }
 }

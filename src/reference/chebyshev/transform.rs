@@ -10,7 +10,8 @@ use rug::{Assign, Float};
 /// S₂ⱼ₊₁ = S₂ⱼ₋₁ + Im Aⱼ: rounding errors add up to some n units of the largest value.
 ///
 /// Source: Cooley, Lewis and Welch (1970), as in Numerical Recipes, section 12.3.
-pub(super) fn cosine_transform(values: &[Float], circle: &Circle) -> Vec<Float> {
+#[must_use]
+pub fn cosine_transform(values: &[Float], circle: &Circle) -> Vec<Float> {
     let n = values.len().saturating_sub(1);
     let bits = circle.bits();
     let half = |x: Float| x >> 1_u32;

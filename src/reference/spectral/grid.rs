@@ -2,10 +2,10 @@
 
 use super::super::ReferenceError;
 use super::super::chebyshev::{Circle, Series, log2_abs};
+use super::super::medium::Medium;
 use super::panel::Panel;
 use super::stretch::Stretch;
 use super::{Settings, Work};
-use crate::case::Case;
 use rug::Float;
 use std::f64::consts::LOG2_E;
 
@@ -52,9 +52,9 @@ impl<'g> Grid<'g> {
     }
 
     /// Samples the points of degree `n` that are not there yet: all, or every other one.
-    pub(super) fn refine<C: Case>(
+    pub(super) fn refine(
         &mut self,
-        case: &C,
+        case: &dyn Medium,
         n: usize,
         circle: &mut Circle,
         work: &mut Work,

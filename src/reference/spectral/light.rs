@@ -1,10 +1,24 @@
 //! The light of a panel: ∫ C τ e^(−t).
 
 use super::super::chebyshev::{Circle, Series, log2_abs};
-use super::march::Resolved;
 use super::verdict::{Verdict, verdict};
 use super::{Settings, Work};
 use rug::Float;
+
+/// A panel with its series.
+pub(super) struct Resolved<'r> {
+    /// t from the left end.
+    pub(super) depth: Series,
+    /// C·τ.
+    pub(super) source: Series,
+    /// C·τ on the points of its degree.
+    pub(super) values: &'r [Float],
+    pub(super) width: Float,
+    /// log₂ of the transmittance up to the panel.
+    pub(super) transmittance: f64,
+    /// log₂ of what the coefficients of C τ e^(−t) may be off by.
+    pub(super) allowance: f64,
+}
 
 /// The light of a panel, with T = 1 at its left end.
 pub(super) struct Light {

@@ -2,13 +2,13 @@
 
 use super::super::ReferenceError;
 use super::super::chebyshev::{Circle, Series, log2_abs};
+use super::super::medium::Medium;
 use super::grid::Grid;
-use super::light::{Light, light};
+use super::light::{Light, Resolved, light};
 use super::panel::Panel;
 use super::stretch::Stretch;
 use super::verdict::{Verdict, verdict};
 use super::{Quantity, Settings, Work};
-use crate::case::Case;
 use rug::Float;
 use std::f64::consts::LOG2_E;
 
@@ -18,8 +18,8 @@ const FIRST: usize = 16;
 const MAX_EVALUATIONS: u64 = 1 << 18;
 
 /// The state of an integration: all that is left of the current place.
-pub(super) struct March<'m, C> {
-    case: &'m C,
+pub(super) struct March<'m> {
+    case: &'m dyn Medium,
     settings: Settings,
     work: &'m mut Work,
     circle: Circle,
@@ -36,23 +36,8 @@ pub(super) struct March<'m, C> {
     lost: f64,
 }
 
-/// A panel with its series.
-pub(super) struct Resolved<'r> {
-    /// t from the left end.
-    pub(super) depth: Series,
-    /// C·τ.
-    pub(super) source: Series,
-    /// C·τ on the points of its degree.
-    pub(super) values: &'r [Float],
-    pub(super) width: Float,
-    /// log₂ of the transmittance up to the panel.
-    pub(super) transmittance: f64,
-    /// log₂ of what the coefficients of C τ e^(−t) may be off by.
-    pub(super) allowance: f64,
-}
-
-impl<'m, C: Case> March<'m, C> {
-    pub(super) fn new(case: &'m C, settings: Settings, work: &'m mut Work) -> Self {
+impl<'m> March<'m> {
+    pub(super) fn new(case: &'m dyn Medium, settings: Settings, work: &'m mut Work) -> Self {
         let bits = settings.precision;
         March {
             case,

@@ -12,8 +12,8 @@ mod panel;
 mod stretch;
 mod verdict;
 
+use super::medium::Medium;
 use super::{GUARD_BITS, Quantity, Reference, ReferenceError, Source, believed_bits};
-use crate::case::Case;
 use crate::real::MAX_BITS;
 use march::March;
 use rug::Float;
@@ -68,8 +68,8 @@ impl Settings {
 }
 
 /// t(D) or I(D) to `bits` significant bits, without a closed form.
-pub(super) fn integrate<C: Case>(
-    case: &C,
+pub(super) fn integrate(
+    case: &dyn Medium,
     quantity: Quantity,
     bits: u32,
 ) -> Result<Reference, ReferenceError> {

@@ -1,8 +1,9 @@
 //! The ray between two breaks, and the medium sampled there.
 
 use super::super::ReferenceError;
+use super::super::medium::Medium;
 use super::Work;
-use crate::case::{Case, Structure};
+use crate::case::Structure;
 use crate::real::counted::count;
 use crate::real::{CountedReal, MpfrReal};
 use crate::symbolic::Interval;
@@ -30,7 +31,7 @@ pub(super) type Sample = (Float, Float);
 
 impl Stretch {
     /// The stretches between the known breaks of a case.
-    pub(super) fn all<C: Case>(case: &C, bits: u32) -> Vec<Stretch> {
+    pub(super) fn all(case: &dyn Medium, bits: u32) -> Vec<Stretch> {
         let length = Float::with_val(bits, case.length());
         let structure = case.structure();
         // What is not known well enough is left to grading.
@@ -67,16 +68,16 @@ impl Stretch {
     }
 
     /// Evaluates the medium at v.
-    pub(super) fn sample<C: Case>(
+    pub(super) fn sample(
         &self,
-        case: &C,
+        case: &dyn Medium,
         v: &Float,
         work: &mut Work,
     ) -> Result<Sample, ReferenceError> {
         let bits = self.from.prec();
         let lambda = self.place(v);
         let place = CountedReal::from(MpfrReal::from(lambda));
-        let (transfer, counts) = count(|| case.transfer(&case.field(&place)));
+        let (transfer, counts) = count(|| case.at(&place));
         work.evaluations += 1;
         work.transcendental_calls += counts.transcendentals();
         let number = |x: CountedReal<MpfrReal>| Float::from(x.into_inner());

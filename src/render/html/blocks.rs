@@ -2,18 +2,16 @@
 
 use super::page::{class, facts, sign};
 use super::{figure, table};
-use crate::document::{Block, Finding, Medium, Plot};
+use crate::document::{Block, Finding, Plot};
 use maud::{Markup, html};
 
-const MEDIA: [Medium; 2] = [Medium::Written, Medium::Page];
-
-pub(super) fn blocks(blocks: &[Block]) -> Markup {
-    let shown: Vec<&Block> = blocks.iter().filter_map(|b| b.shown_in(&MEDIA)).collect();
+pub(super) fn blocks(blocks: &[&Block]) -> Markup {
     html! {
-        @for run in shown.chunk_by(|a, b| plots(a).is_some() && plots(b).is_some()) {
+        @for run in blocks.chunk_by(|a, b| plots(a).is_some() && plots(b).is_some()) {
             @match run {
                 [Block::Text(text)] => p { (text) },
-                [Block::Lines(lines)] => pre { (lines) },
+                // It scrolls by itself, and keyboards have to reach it.
+                [Block::Lines(lines)] => pre tabindex="0" { (lines) },
                 [Block::Facts(some)] => (facts(some)),
                 [Block::Finding(found)] => (finding(found)),
                 [Block::Table(some)] => (table::table(some)),

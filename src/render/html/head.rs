@@ -2,9 +2,10 @@
 
 use super::page::{class, sign};
 use crate::document::{Document, Link};
+use crate::render::plot::STYLE;
 use maud::{Markup, PreEscaped, html};
 
-const STYLE: &str = include_str!("page.css");
+const PAGE: &str = include_str!("page.css");
 const SCRIPT: &str = include_str!("page.js");
 
 /// Nothing is loaded from anywhere, and nothing is sent.
@@ -22,7 +23,7 @@ pub(super) fn head(title: &str) -> Markup {
             title { (title) " · volver" }
             // Browsers ask the server for an icon otherwise.
             link rel="icon" href="data:,";
-            style { (PreEscaped(STYLE)) }
+            style { (PreEscaped(STYLE)) "\n" (PreEscaped(PAGE)) }
         }
     }
 }

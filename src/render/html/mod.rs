@@ -21,17 +21,13 @@
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
 
-mod axes;
 mod blocks;
 mod embed;
 mod figure;
 mod head;
-mod mark;
 mod page;
 mod place;
-mod scale;
 mod table;
-mod ticks;
 
 pub use embed::{PageError, SCHEMA, read};
 pub use page::render;

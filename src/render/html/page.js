@@ -125,13 +125,13 @@
       show(marks[Math.min(Math.max(before + along, 0), marks.length - 1)], true);
     });
 
-    entries.forEach((entry, index) => {
+    entries.forEach((entry) => {
       const button = make("button", { type: "button" });
       button.append(...entry.childNodes);
       entry.append(button);
       button.setAttribute("aria-pressed", "true");
       button.addEventListener("click", () => {
-        const shown = series[index].toggleAttribute("hidden");
+        const shown = series[entry.dataset.series].toggleAttribute("hidden");
         button.setAttribute("aria-pressed", String(!shown));
         if (pinned === entry.dataset.series) pinned = null;
         leave();

@@ -1,7 +1,7 @@
 //! The document as a page.
 
 use super::{blocks, embed, head};
-use crate::document::{Document, Fact, Tone};
+use crate::document::{Block, Document, Fact, Medium, Section, Tone};
 use crate::render::ReportError;
 use maud::{DOCTYPE, Markup, PreEscaped, html};
 use std::collections::HashSet;
@@ -11,22 +11,23 @@ use std::collections::HashSet;
 /// # Errors
 /// [`ReportError::Json`], which no page is known to cause.
 pub fn render(page: &Document) -> Result<String, ReportError> {
-    let ids = ids(page);
+    let sections = page.shown_in(&[Medium::Written, Medium::Page]);
+    let ids = ids(&sections);
     let document = html! {
         (DOCTYPE)
         html lang="en" {
             (head::head(&page.title))
             body {
                 (head::top(page))
-                (contents(page, &ids))
+                (contents(&sections, &ids))
                 @if let Some(conclusion) = &page.conclusion {
                     p.conclusion class=[class(conclusion.tone)] { (sign(conclusion.tone)) (conclusion.words) }
                 }
                 main {
-                    @for (section, id) in page.sections.iter().zip(&ids) {
+                    @for ((section, blocks), id) in sections.iter().zip(&ids) {
                         section id=(id) {
                             @if !section.title.is_empty() { h2 { (section.title) a.anchor href={ "#" (id) } aria-label="link to this section" { "#" } } }
-                            (blocks::blocks(&section.blocks))
+                            (blocks::blocks(blocks))
                         }
                     }
                 }
@@ -39,8 +40,11 @@ pub fn render(page: &Document) -> Result<String, ReportError> {
     Ok(document.into_string() + "\n")
 }
 
+/// A section with what is seen of it.
+type Shown<'a> = (&'a Section, Vec<&'a Block>);
+
 /// Safe names for sections, no two alike.
-fn ids(page: &Document) -> Vec<String> {
+fn ids(sections: &[Shown<'_>]) -> Vec<String> {
     // What the page's own elements are called.
     let mut taken: HashSet<String> = ["volver-page", "about", "theme", "tip", "said"]
         .map(String::from)
@@ -63,23 +67,23 @@ fn ids(page: &Document) -> Vec<String> {
             .find(|id| taken.insert(id.clone()));
         free.unwrap_or(safe)
     };
-    page.sections
+    sections
         .iter()
-        .map(|section| id(&section.id))
+        .map(|(section, _)| id(&section.id))
         .collect()
 }
 
 /// Links to the sections that have a heading, where there are several.
-fn contents(page: &Document, ids: &[String]) -> Markup {
-    let sections = page.sections.iter().zip(ids);
-    let named: Vec<_> = sections.filter(|(s, _)| !s.title.is_empty()).collect();
+fn contents(sections: &[Shown<'_>], ids: &[String]) -> Markup {
+    let sections = sections.iter().zip(ids);
+    let named: Vec<_> = sections.filter(|((s, _), _)| !s.title.is_empty()).collect();
     html! {
         @if named.len() > 1 {
             nav aria-label="Sections" {
                 details open[named.len() <= 12] {
                     summary { (named.len()) " sections" }
                     ol {
-                        @for (section, id) in named {
+                        @for ((section, _), id) in named {
                             li { a href={ "#" (id) } { (section.title) } }
                         }
                     }

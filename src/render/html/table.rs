@@ -2,14 +2,11 @@
 
 use super::page::{class, sign};
 use crate::document::{Cell, Kind, Table, Tone};
+use crate::render::plot::is_dark;
 use maud::{Markup, html};
 
 /// Tables of more columns are set smaller on paper.
 const WIDE: usize = 9;
-
-/// From this share on the text on a shade changes its colour: with the style sheet's, black and white have a contrast of
-/// 4.5 there in both themes.
-const FLIP: f64 = 0.69;
 
 pub(super) fn table(table: &Table) -> Markup {
     let empty = Cell::default();
@@ -59,7 +56,7 @@ fn cell(cell: &Cell, kind: Kind, names_the_row: bool) -> Markup {
         .map(|share| format!("--share:{:.0}%", 100.0 * share));
     let shaded = cell
         .shade
-        .map(|share| if share > FLIP { "high" } else { "low" });
+        .map(|share| if is_dark(share) { "high" } else { "low" });
     html! {
         @if names_the_row {
             th scope="row" data-sort=[sort] { (content) }

@@ -8,7 +8,7 @@ mod table;
 mod wrap;
 
 pub use paint::Style;
-pub use table::{heading, row};
+pub use table::{below, heading, row};
 pub use wrap::wrap;
 
 use crate::document::{Block, Document, Fact, Medium, Section, Tone};
@@ -21,14 +21,12 @@ pub const MIN_WIDTH: usize = 40;
 /// Names of facts in one column, but no wider than this.
 const NAME: usize = 28;
 
-const MEDIA: [Medium; 1] = [Medium::Terminal];
-
 /// The document in lines of at most `width` columns, with ANSI colour where `color` says so. The conclusion is its last line.
 #[must_use]
 pub fn terminal(document: &Document, width: usize, color: bool) -> String {
     let mut page = Page::new(width, color);
-    for section in &document.sections {
-        page.section(section);
+    for (section, blocks) in document.shown_in(&[Medium::Terminal]) {
+        page.section(section, &blocks);
     }
     if let Some(conclusion) = &document.conclusion {
         page.gap();
@@ -54,9 +52,7 @@ impl Page {
         }
     }
 
-    fn section(&mut self, section: &Section) {
-        let shown = |block| Block::shown_in(block, &MEDIA);
-        let blocks: Vec<&Block> = section.blocks.iter().filter_map(shown).collect();
+    fn section(&mut self, section: &Section, blocks: &[&Block]) {
         if blocks.iter().all(|block| matches!(block, Block::Figure(_))) {
             return;
         }

@@ -1,13 +1,14 @@
 //! A table in columns of characters.
 
+use super::MIN_WIDTH;
 use super::paint::{Style, paint};
 use super::wrap::{cut, harmless, wrap};
-use crate::document::{Cell, Column, Kind, OnTerminal, Table};
+use crate::document::{Cell, Column, Finding, Kind, OnTerminal, Table};
 
-/// Between columns.
-const GAP: usize = 2;
-/// Before a row; the further lines of a row stand deeper.
-const INDENT: usize = 2;
+/// Before a row, and between its columns; closer where a row has one line then, and two otherwise.
+const SPACES: [(usize, usize); 2] = [(2, 2), (0, 1)];
+/// So much deeper stand the further lines of a row.
+const DEEPER: usize = 2;
 /// A last column of text gets a line of its own rather than be wrapped, or cut, to less than this.
 const NARROWEST: usize = 24;
 const BRIEFEST: usize = 8;
@@ -47,6 +48,17 @@ pub fn row(table: &Table, cells: &[Cell], width: usize, color: bool) -> String {
     Layout::new(table, width).row(cells, color)
 }
 
+/// Something found about the row above, set deeper than it.
+#[must_use]
+pub fn below(finding: &Finding, width: usize, color: bool) -> String {
+    let style = finding.tone.map_or(Style::Plain, Style::of);
+    let lines = wrap(&finding.sentence(), width.max(MIN_WIDTH), "    ", "      ");
+    let lines = lines
+        .iter()
+        .map(|line| paint(&harmless(line), style, color) + "\n");
+    lines.collect()
+}
+
 /// Where a column stands.
 struct Place {
     column: usize,
@@ -58,6 +70,8 @@ struct Place {
 /// Which column stands where.
 struct Layout<'t> {
     table: &'t Table,
+    indent: usize,
+    gap: usize,
     lines: Vec<Vec<Place>>,
     groups: Vec<usize>,
 }
@@ -75,7 +89,12 @@ impl<'t> Layout<'t> {
         let mut beside = shown.iter().filter(|(_, on, _)| *on != OnTerminal::Below);
         let last = beside.next_back().map(|(index, ..)| *index);
         let last = last.filter(|index| !is_right(table, *index));
-        let (mut lines, mut line, mut used) = (Vec::new(), Vec::<Place>::new(), INDENT);
+        let beside = shown.iter().filter(|(_, on, _)| *on != OnTerminal::Below);
+        let (count, all) = beside.fold((0, 0), |(count, all), (_, _, own)| (count + 1, all + own));
+        let fits =
+            |(indent, gap): &(usize, usize)| indent + all + gap * (count.max(1) - 1) <= width;
+        let (indent, gap) = SPACES.into_iter().find(fits).unwrap_or(SPACES[0]);
+        let (mut lines, mut line, mut used) = (Vec::new(), Vec::<Place>::new(), indent);
         for (index, on_terminal, own) in shown {
             let room = width.saturating_sub(used);
             let least = match on_terminal {
@@ -85,11 +104,11 @@ impl<'t> Layout<'t> {
             let fits = own <= room || (last == Some(index) && least <= room);
             if !line.is_empty() && (on_terminal == OnTerminal::Below || !fits) {
                 lines.push(std::mem::take(&mut line));
-                used = 2 * INDENT;
+                used = indent + DEEPER;
             }
             let ends = last == Some(index) || on_terminal == OnTerminal::Below;
             let room = ends.then(|| width.saturating_sub(used).max(BRIEFEST));
-            used += own + GAP;
+            used += own + gap;
             line.push(Place {
                 column: index,
                 width: room.map_or(own, |room| own.min(room)),
@@ -101,6 +120,8 @@ impl<'t> Layout<'t> {
         let groups = groups.filter(|(_, column)| column.is_group);
         Layout {
             table,
+            indent,
+            gap,
             lines,
             groups: groups.map(|(index, _)| index).collect(),
         }
@@ -126,7 +147,7 @@ impl<'t> Layout<'t> {
     fn lines(&self, cells: &[Cell], style: Option<Style>, color: bool) -> String {
         let mut text = String::new();
         for (index, places) in self.lines.iter().enumerate() {
-            let indent = if index == 0 { INDENT } else { 2 * INDENT };
+            let deeper = if index == 0 { 0 } else { DEEPER };
             let parts = places.iter().map(|place| self.parts(cells, place));
             let parts: Vec<Vec<(Style, String)>> = parts.collect();
             let most = parts.iter().map(Vec::len).max().unwrap_or(0);
@@ -145,7 +166,7 @@ impl<'t> Layout<'t> {
                     }
                 });
                 let padded: Vec<String> = padded.collect();
-                let line = " ".repeat(indent) + &padded.join(&" ".repeat(GAP));
+                let line = " ".repeat(self.indent + deeper) + &padded.join(&" ".repeat(self.gap));
                 text += line.trim_end();
                 text.push('\n');
             }

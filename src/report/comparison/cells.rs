@@ -4,29 +4,31 @@ use crate::document::{Cell, Kind, Table, Tone};
 use std::collections::HashMap;
 
 /// The name of a row or column, and which of those of this name it is.
-pub(super) type Key<'a> = (&'a str, usize);
+pub(super) type Key = (String, usize);
 
 /// A cell where it stands.
 pub(super) struct Placed<'a> {
-    pub(super) row: Key<'a>,
-    pub(super) column: Key<'a>,
+    pub(super) row: Key,
+    pub(super) column: Key,
     pub(super) kind: Kind,
     pub(super) cell: &'a Cell,
 }
 
-/// All cells behind the first of their row.
+/// All cells but those that name their row: the first that is in no column of groups, and the groups before it.
 pub(super) fn placed(table: &Table) -> impl Iterator<Item = Placed<'_>> {
-    let names = table
-        .rows
-        .iter()
-        .map(|row| row.first().map_or("", |cell| cell.text.as_str()));
-    let rows = numbered(names);
-    let columns = numbered(table.columns.iter().map(|column| column.title.as_str()));
+    let groups = table.columns.iter().take_while(|column| column.is_group);
+    let naming = groups.count() + 1;
+    let name = |row: &Vec<Cell>| {
+        let cells: Vec<&str> = row.iter().take(naming).map(|c| c.text.as_str()).collect();
+        cells.join(", ")
+    };
+    let rows = numbered(table.rows.iter().map(name));
+    let columns = numbered(table.columns.iter().map(|column| column.title.clone()));
     table.rows.iter().zip(rows).flat_map(move |(cells, row)| {
         let columns = table.columns.iter().zip(columns.clone());
-        let behind = cells.iter().zip(columns).skip(1);
+        let behind = cells.iter().zip(columns).skip(naming);
         behind.map(move |(cell, (column, key))| Placed {
-            row,
+            row: row.clone(),
             column: key,
             kind: column.kind,
             cell,
@@ -34,10 +36,10 @@ pub(super) fn placed(table: &Table) -> impl Iterator<Item = Placed<'_>> {
     })
 }
 
-fn numbered<'a>(names: impl Iterator<Item = &'a str>) -> Vec<Key<'a>> {
-    let mut seen: HashMap<&str, usize> = HashMap::new();
-    let key = |name| {
-        let count = seen.entry(name).or_default();
+fn numbered(names: impl Iterator<Item = String>) -> Vec<Key> {
+    let mut seen: HashMap<String, usize> = HashMap::new();
+    let key = |name: String| {
+        let count = seen.entry(name.clone()).or_default();
         *count += 1;
         (name, *count)
     };

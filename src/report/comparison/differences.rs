@@ -2,7 +2,7 @@
 
 use super::Part;
 use super::cells::{Placed, change, placed};
-use crate::document::{Block, Cell, Column, Table, Tone};
+use crate::document::{Block, Cell, Column, Medium, Table, Tone};
 use std::collections::HashMap;
 
 /// What differs between reports.
@@ -48,15 +48,13 @@ pub(super) fn differences(parts: &[Part]) -> Differences {
     found
 }
 
+/// The tables that a page shows.
 fn tables(part: &Part) -> impl Iterator<Item = (Place<'_>, &Table)> {
-    part.page.sections.iter().flat_map(|section| {
-        section.blocks.iter().filter_map(|block| match block {
+    let sections = part.page.shown_in(&[Medium::Written, Medium::Page]);
+    sections.into_iter().flat_map(|(section, blocks)| {
+        blocks.into_iter().filter_map(|block| match block {
             Block::Table(table) => {
-                let place = (
-                    part.page.kind.as_str(),
-                    section.title.as_str(),
-                    table.caption.as_str(),
-                );
+                let place = (&*part.page.kind, &*section.title, &*table.caption);
                 Some((place, table))
             }
             _ => None,
@@ -93,10 +91,11 @@ impl Differences {
             cell,
         } in placed(first.1)
         {
-            let mut shown = vec![Cell::text(row.0), Cell::text(column.0), plain(cell)];
+            let mut shown = vec![Cell::text(&row.0), Cell::text(&column.0), plain(cell)];
+            let key = (row, column);
             let mut differs = false;
             for cells in &theirs {
-                let Some(other) = cells.get(&(row, column)) else {
+                let Some(other) = cells.get(&key) else {
                     shown.extend([Cell::text("not there"), Cell::default()]);
                     continue;
                 };

@@ -15,12 +15,10 @@
 mod cells;
 mod differences;
 mod directory;
-#[cfg(test)]
-mod tests;
 
 pub use directory::{ComparisonError, Part, read_all};
 
-use crate::document::{About, Block, Cell, Column, Document, Fact, Section, Table, Tone};
+use crate::document::{About, Block, Cell, Column, Document, Fact, Finding, Section, Table, Tone};
 use differences::{Differences, differences};
 
 /// The kind of page that is no report but several.
@@ -86,59 +84,56 @@ fn summary(parts: &[Part], found: &Differences) -> Vec<Fact> {
     facts
 }
 
-/// What [`own`] says, by name.
-const OWN: [&str; 5] = ["report", "command", "volver", "seed", "machine"];
+/// What a row says of a report, and whether that is a fact of the report's own.
+type Name<'a> = (&'a str, bool);
 
-fn own(page: &Document) -> [String; 5] {
+/// What a report says of itself.
+fn own(page: &Document) -> Vec<(Name<'_>, Cell)> {
     let about = &page.about;
-    [
-        page.title.clone(),
-        about.command.clone(),
-        about.version.clone(),
-        seeds(page).unwrap_or_default(),
-        about.machine.clone(),
-    ]
+    let plain = [
+        ("report", page.title.clone()),
+        ("command", about.command.clone()),
+        ("volver", about.version.clone()),
+        ("seed", seeds(page).unwrap_or_default()),
+        ("machine", about.machine.clone()),
+    ];
+    let plain = plain.map(|(name, text)| ((name, false), Cell::text(text)));
+    let judged = |text: &str, tone| Cell {
+        tone,
+        ..Cell::text(text)
+    };
+    let conclusion = page.conclusion.iter();
+    let conclusion = conclusion.map(|c| (("conclusion", false), judged(&c.words, c.tone)));
+    let facts = page.summary.iter();
+    let facts = facts.map(|f| ((&*f.name, true), judged(&f.value, f.tone)));
+    plain.into_iter().chain(conclusion).chain(facts).collect()
 }
 
 /// What each report says of itself, a column each.
 fn side_by_side(parts: &[Part]) -> Section {
     let columns = parts.iter().map(|part| Column::text(&part.name));
-    let mut table = Table::new(
-        "Each report in its own words",
-        std::iter::once(Column::text("")).chain(columns),
-    );
-    let said: Vec<[String; 5]> = parts.iter().map(|part| own(&part.page)).collect();
-    for (index, name) in OWN.into_iter().enumerate() {
-        let cells = said.iter().map(|own| Cell::text(&own[index]));
-        table
-            .rows
-            .push(std::iter::once(Cell::text(name)).chain(cells).collect());
-    }
-    let mut names: Vec<&str> = Vec::new();
-    for fact in parts.iter().flat_map(|part| &part.page.summary) {
-        if !names.contains(&fact.name.as_str()) {
-            names.push(&fact.name);
+    let columns = std::iter::once(Column::text("")).chain(columns);
+    let said: Vec<_> = parts.iter().map(|part| own(&part.page)).collect();
+    let mut names: Vec<Name<'_>> = Vec::new();
+    for (name, _) in said.iter().flatten() {
+        if !names.contains(name) {
+            names.push(*name);
         }
     }
-    for name in names {
-        let cells = parts.iter().map(|part| {
-            let fact = part.page.summary.iter().find(|fact| fact.name == name);
-            fact.map_or_else(Cell::default, |fact| Cell {
-                tone: fact.tone,
-                ..Cell::text(&fact.value)
-            })
-        });
-        table
-            .rows
-            .push(std::iter::once(Cell::text(name)).chain(cells).collect());
-    }
-    let mut section = Section::new("side-by-side", "Side by side");
-    section.blocks.push(Block::Table(table));
-    section
+    let rows = names.into_iter().map(|name| {
+        let of = |own: &Vec<(Name<'_>, Cell)>| {
+            let mut own = own.iter();
+            let found = own.find(|(known, _)| *known == name);
+            found.map_or_else(Cell::default, |(_, cell)| cell.clone())
+        };
+        let cells = said.iter().map(of);
+        std::iter::once(Cell::text(name.0)).chain(cells).collect()
+    });
+    let table = Table::new("Each report in its own words", columns).with(rows);
+    Section::of("side-by-side", "Side by side", [Block::Table(table)])
 }
 
 fn differing(found: &Differences) -> Section {
-    let mut section = Section::new("differences", "What differs");
     let words = match (found.cells, found.tables.len()) {
         (0, 0) => "No table stands in more than one report: there is nothing to compare.".into(),
         (cells, 0) => format!(
@@ -146,24 +141,28 @@ fn differing(found: &Differences) -> Section {
         ),
         _ => "Cells that show something else than in the first report that has them.".to_string(),
     };
-    section.blocks.push(Block::Text(words));
-    section
-        .blocks
-        .extend(found.tables.iter().cloned().map(Block::Table));
-    section
+    let tables = found.tables.iter().cloned().map(Block::Table);
+    let blocks = std::iter::once(Block::Text(words)).chain(tables);
+    Section::of("differences", "What differs", blocks)
 }
 
 /// Where a report begins.
 fn heading(part: &Part) -> Section {
     let page = &part.page;
-    let mut section = Section::new(&part.name, format!("{}: {}", part.name, page.title));
     let mut facts = page.summary.clone();
     facts.push(Fact::new("command", &page.about.command));
     facts.push(Fact::new("volver", &page.about.version));
     facts.extend(seeds(page).map(|seeds| Fact::new("seed", seeds)));
     facts.push(Fact::new("machine", &page.about.machine));
-    section.blocks.push(Block::Facts(facts));
-    section
+    let conclusion = page.conclusion.iter().map(|conclusion| {
+        let tone = conclusion.tone;
+        Block::Finding(Finding {
+            tone,
+            ..Finding::new("", &conclusion.words)
+        })
+    });
+    let blocks = conclusion.chain([Block::Facts(facts)]);
+    Section::of(&part.name, format!("{}: {}", part.name, page.title), blocks)
 }
 
 fn seeds(page: &Document) -> Option<String> {

@@ -38,7 +38,7 @@ pub(super) fn medium(plan: &Plan, step: &Step) -> String {
     medium.map_or_else(|| step.medium.to_string(), |medium| medium.name.clone())
 }
 
-/// Why the model is enough, in a line.
+/// Why the model is enough: the arithmetic, and below it where more is counted.
 pub(super) fn because(step: &Step) -> String {
     let Because {
         front,
@@ -58,7 +58,7 @@ pub(super) fn because(step: &Step) -> String {
     );
     if step.bound > error {
         format!(
-            "{sum}, counted as {}: more points err by that",
+            "{sum},\ncounted as {}: more points err by that",
             bound(step.bound)
         )
     } else {
@@ -103,4 +103,18 @@ pub(super) fn effort(stored: &StoredPlan) -> String {
         plural(stored.evaluations, "evaluation"),
         plural(steps as u64, "step")
     )
+}
+
+/// A number of no more digits than another is told with, its exponent kept.
+pub(super) fn shortened(number: &str, like: &str) -> String {
+    let (digits, exponent) = match number.split_once('e') {
+        Some((digits, exponent)) => (digits, format!("e{exponent}")),
+        None => (number, String::new()),
+    };
+    let most = like.chars().count() + 2;
+    if digits.chars().count() <= most {
+        return number.to_string();
+    }
+    let kept: String = digits.chars().take(most).collect();
+    format!("{kept}...{exponent}")
 }

@@ -8,8 +8,8 @@ mod words;
 pub use group::{Group, Row, groups};
 pub use json::json;
 
-use super::svg::plots;
-use super::tone::counts;
+use super::counts::counts;
+use super::plots;
 use crate::convergence::Verdict;
 use crate::document::{
     About, Block, Cell, Column, Conclusion, Document, Fact, Figure, Finding, Medium, Section,

@@ -9,6 +9,11 @@ radiance; = all of them, more than 17; ? unknown; ! fewer than promised, and not
 /// More digits than binary64 has.
 const ALL: f64 = 17.0;
 
+/// "fix15", "e4m3": formats by short names.
+pub(super) fn short(format: &str) -> String {
+    format.replace("fixed:", "fix").replace("fp8-", "")
+}
+
 /// "7/3", or the code of a verdict.
 pub(super) fn figure(cell: &Cell) -> String {
     if let Some(verdict) = cell.verdict {
@@ -23,7 +28,7 @@ pub(super) fn figure(cell: &Cell) -> String {
 }
 
 /// Whole digits.
-pub(super) fn whole(digits: Option<Digits>) -> String {
+fn whole(digits: Option<Digits>) -> String {
     match digits {
         None => "?".into(),
         Some(Digits::Exact) => "=".into(),

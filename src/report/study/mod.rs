@@ -2,15 +2,14 @@
 
 mod json;
 mod levels;
-pub(super) mod markdown;
 mod paper;
 pub(super) mod words;
 
 pub use json::json;
 
+use super::counts::counts;
 use super::names::FileNames;
-use super::svg::plots;
-use super::tone::counts;
+use super::plots;
 use crate::convergence::Fit;
 use crate::document::{
     About, Block, Cell, Column, Conclusion, Document, Fact, Figure, Finding, Medium, Section,

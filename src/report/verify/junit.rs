@@ -1,7 +1,8 @@
 //! `JUnit` XML, which CI servers show: one test case a channel, and one for the fingerprint.
 
-use super::words::{failure, failures, fingerprint, label, order, theory};
-use crate::diagnosis::Fingerprint;
+use super::deviates;
+use super::words::{failure, failures, findings, fingerprint, order, theory};
+use crate::document::Finding;
 use crate::study::verify::{Conclusion, Line, Standing, Verification};
 use std::fmt::Write;
 
@@ -20,16 +21,10 @@ pub fn junit(verification: &Verification) -> String {
             body(line)
         );
     }
-    let deviates = verification
-        .fingerprint
-        .as_ref()
-        .is_some_and(Fingerprint::contradicts_declaration);
-    let found = verification.findings.iter().map(|finding| {
-        let channels = finding.channels.join(", ");
-        let label = label(verification);
-        format!("{label}{} ({channels})", finding.defect)
-    });
-    let sentences: Vec<String> = fingerprint(verification).into_iter().chain(found).collect();
+    let deviates = deviates(verification);
+    let said = fingerprint(verification).into_iter();
+    let said = said.chain(findings(verification, usize::MAX));
+    let sentences: Vec<String> = said.map(|said| Finding::sentence(&said)).collect();
     let sentences = escape(&sentences.join("; "));
     let inside = if deviates {
         format!("<failure message=\"{sentences}\"/>")

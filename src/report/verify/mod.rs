@@ -1,27 +1,71 @@
-//! A kernel put to the test: rows for a terminal as they come, a document with plots, JSON, `JUnit` XML.
+//! A kernel put to the test: rows as they come, what they say in all, JSON, `JUnit` XML.
 
-mod html;
 mod json;
 mod junit;
-mod markdown;
-mod text;
+mod rows;
 mod words;
 
-pub use html::page;
 pub use json::json;
 pub use junit::junit;
-pub use markdown::markdown;
-pub use text::{closing, heading, row};
+pub use rows::{heading, row};
 
-use super::{ReportError, svg};
-use crate::document::About;
-use crate::render::html::place;
-use crate::render::write_files;
-use crate::study::verify::{Line, Measured, Verification};
+use super::plots;
+use crate::diagnosis::Fingerprint;
+use crate::document::{
+    self, About, Block, Cell, Column, Document, Fact, Figure, Medium, Section, Table, Tone,
+};
+use crate::method::Expected;
+use crate::render::{ReportError, write_document};
+use crate::study::verify::{Conclusion, Line, Measured, Standing, Verification};
 use std::path::{Path, PathBuf};
+use words::{
+    BLIND, SIGNS, axis, conclusion, failure, failures, findings, fingerprint, floor, order, theory,
+    window,
+};
 
-/// Writes `verify.md`, `verify.json`, `verify.xml` (`JUnit`), one plot a channel and a page, `index.html`, into `dir`, which is
-/// made where it does not exist; returns the paths written. Other files in `dir` stay.
+/// Channels that a terminal names of one finding.
+const NAMED: usize = 6;
+
+/// What the values say, and in writing every channel, with its plot, and what was run: a terminal has shown the channels by
+/// [`row`].
+#[must_use]
+pub fn document(verification: &Verification, about: &About) -> Document {
+    let name = &verification.declaration.name;
+    let mut document = Document::new("verify", name, about.clone());
+    let (word, tone) = match verification.conclusion() {
+        Conclusion::Confirmed => ("confirmed", Tone::Good),
+        Conclusion::NotConfirmed => ("not confirmed", Tone::Bad),
+        Conclusion::CouldNotRun => ("could not run", Tone::Bad),
+    };
+    document.summary = vec![Fact::new("the kernel is", word).toned(tone)];
+    document.summary.extend(counts(verification));
+    let said = document::Conclusion::new(conclusion(verification));
+    document.conclusion = Some(said.toned(tone));
+    let lines = &verification.lines;
+    document.sections = vec![
+        Section::of(
+            "findings",
+            "What the values say",
+            said_by_values(verification),
+        ),
+        Section::of("channels", "Channels", channels(lines)),
+        Section::of(
+            "plots",
+            "Errors against segments",
+            lines.iter().filter_map(plot),
+        ),
+        Section::of(
+            "run",
+            "What was run",
+            [run(verification).only(Medium::Written)],
+        ),
+        legend(verification),
+    ];
+    document
+}
+
+/// Writes `verify.md`, `verify.json`, `verify.xml` (`JUnit`), one plot a channel (`sine-squared.svg`, `rgb-transfer-red.svg` …)
+/// and a page, `index.html`, into `dir`; see [`write_document`]. Returns the paths written.
 ///
 /// # Errors
 /// [`ReportError::Directory`] or [`ReportError::File`] with the path and the system's reason.
@@ -30,42 +74,138 @@ pub fn write(
     verification: &Verification,
     about: &About,
 ) -> Result<Vec<PathBuf>, ReportError> {
-    let mut files = Vec::new();
-    for line in &verification.lines {
-        if let Some(plot) = plot(line)? {
-            files.push((dir.join(plot_name(line)), plot));
-        }
-    }
-    files.push((dir.join("verify.json"), json(verification)?));
-    files.push((dir.join("verify.xml"), junit(verification)));
-    files.push((dir.join("verify.md"), markdown(verification)));
-    let mut paths = write_files(dir, files)?;
-    paths.push(place(dir, &page(verification, about))?);
-    Ok(paths)
+    let data = [
+        ("verify.json".to_string(), json(verification)?),
+        ("verify.xml".to_string(), junit(verification)),
+    ];
+    write_document(dir, &document(verification, about), "verify", data)
 }
 
-/// The convergence of one channel, where it has errors to draw.
-fn plot(line: &Line) -> Result<Option<String>, ReportError> {
-    let Measured::Fitted { fit, samples } = &line.measured else {
-        return Ok(None);
+fn counts(verification: &Verification) -> Vec<Fact> {
+    let counts = verification.counts();
+    let all = [
+        ("confirmed", counts.confirmed, Tone::Good),
+        ("contradicted", counts.contradicted, Tone::Bad),
+        ("inconclusive", counts.inconclusive, Tone::Open),
+        ("blind", counts.blind, Tone::Open),
+        ("failed", counts.failed, Tone::Bad),
+    ];
+    let shown = all
+        .into_iter()
+        .filter(|(name, count, _)| *count > 0 || *name == "contradicted");
+    let fact = |(name, count, tone): (&str, usize, Tone)| Fact {
+        tone: (count > 0 || tone != Tone::Bad).then_some(tone),
+        ..Fact::new(name, count.to_string())
     };
-    if !is_drawn(line) {
-        return Ok(None);
-    }
-    svg::convergence_plot(samples, fit, &line.name).map(Some)
+    let of = Fact::new("channels", verification.lines.len().to_string());
+    shown.map(fact).chain([of]).collect()
 }
 
-/// Whether there is any error that logarithmic axes can show.
-fn is_drawn(line: &Line) -> bool {
-    match &line.measured {
-        Measured::Fitted { samples, .. } => samples
-            .iter()
-            .any(|sample| sample.error.is_finite() && !sample.error.is_zero()),
-        Measured::Scattered(_) | Measured::Nothing => false,
-    }
+/// The fingerprint, and defects by name; where these are in many channels a terminal has their number.
+fn said_by_values(verification: &Verification) -> Vec<Block> {
+    let said = fingerprint(verification).into_iter().map(Block::Finding);
+    let found = [(NAMED, Medium::Terminal), (usize::MAX, Medium::Written)].map(|(most, medium)| {
+        let found = findings(verification, most).into_iter();
+        found.map(move |found| Block::Finding(found).only(medium))
+    });
+    said.chain(found.into_iter().flatten()).collect()
 }
 
-/// `sine-squared.svg`, `rgb-transfer-red.svg`.
-fn plot_name(line: &Line) -> String {
-    format!("{}.svg", line.name.replace('/', "-"))
+fn channels(lines: &[Line]) -> Vec<Block> {
+    let columns = [
+        Column::text("case"),
+        Column::number("order"),
+        Column::number("measured"),
+        Column::number("window"),
+        Column::number("floor"),
+        Column::text("verdict"),
+        Column::verdict("says"),
+    ];
+    let table = Table::new("Order and verdict, a row a channel", columns);
+    let mut blocks = vec![Block::Table(table.with(lines.iter().map(written)))];
+    let failed = lines.iter().filter(|line| !line.is_complete());
+    let failed = failed.flat_map(|line| {
+        let fact = |group| Fact::new(&line.name, failure(group)).toned(Tone::Bad);
+        failures(line).iter().map(fact).collect::<Vec<Fact>>()
+    });
+    let failed: Vec<Fact> = failed.collect();
+    if !failed.is_empty() {
+        blocks.push(Block::Facts(failed));
+    }
+    blocks
+        .into_iter()
+        .map(|block| block.only(Medium::Written))
+        .collect()
+}
+
+/// A channel where there is room.
+fn written(line: &Line) -> Vec<Cell> {
+    let expected = match line.expected {
+        Some(Expected::Order(order)) => Some(order),
+        _ => None,
+    };
+    let (first, least) = match &line.measured {
+        Measured::Fitted { fit, .. } => (
+            fit.window.map(|window| window.first as f64),
+            Some(fit.floor.to_f64()).filter(|floor| *floor > 0.0),
+        ),
+        Measured::Scattered(_) | Measured::Nothing => (None, None),
+    };
+    vec![
+        Cell::text(&line.name),
+        Cell::number(theory(line.expected), expected),
+        Cell::number(order(line), line.measured.order().map(|(order, _)| order)),
+        Cell::number(window(line), first),
+        Cell::number(floor(line), least),
+        Cell::text(line.measured.verdict().name()),
+        Cell::verdict(line.standing.name(), tone(line.standing)),
+    ]
+}
+
+/// The convergence of one channel, where there is any error that logarithmic axes can show.
+fn plot(line: &Line) -> Option<Block> {
+    let Measured::Fitted { fit, samples } = &line.measured else {
+        return None;
+    };
+    let mut errors = samples.iter().map(|sample| &sample.error);
+    errors.find(|error| error.is_finite() && !error.is_zero())?;
+    let plot = plots::of_convergence(samples, fit, &line.name);
+    let figure = Figure::new(line.name.replace('/', "-"), &line.name, [plot]);
+    Some(Block::Figure(figure))
+}
+
+fn run(verification: &Verification) -> Block {
+    let declaration = &verification.declaration;
+    let declared = declaration.method.map_or("none".into(), |m| m.name());
+    let claimed = declaration.order.map_or("none".into(), |o| o.to_string());
+    Block::Facts(vec![
+        Fact::new("levels", axis(verification)),
+        Fact::new("declared method", declared),
+        Fact::new("declared order", claimed),
+        Fact::new("format", declaration.format.to_string()),
+        Fact::new("given", declaration.form.to_string()),
+    ])
+}
+
+/// The signs in front of rows.
+fn legend(verification: &Verification) -> Section {
+    let blind = (verification.counts().blind > 0).then_some(BLIND);
+    let lines = std::iter::once(SIGNS).chain(blind);
+    let lines = lines.map(|line| Block::Text(line.into()).only(Medium::Terminal));
+    Section::of("signs", "Signs", lines).aside()
+}
+
+/// Whether a fingerprint speaks against the kernel.
+fn deviates(verification: &Verification) -> bool {
+    let found = verification.fingerprint.as_ref();
+    found.is_some_and(Fingerprint::contradicts_declaration)
+}
+
+/// How good or bad a standing is.
+fn tone(standing: Standing) -> Tone {
+    match standing {
+        Standing::Confirmed => Tone::Good,
+        Standing::Contradicted | Standing::Failed => Tone::Bad,
+        Standing::Inconclusive | Standing::Blind => Tone::Open,
+    }
 }

@@ -1,11 +1,18 @@
 //! The words that the reports of a verification share.
 
-use crate::diagnosis::{Fingerprint, Match, Model};
+use super::deviates;
+use crate::diagnosis::{Match, Model};
+use crate::document::{Finding, Tone};
 use crate::method::Expected;
 use crate::study::verify::{Axis, Conclusion, Counts, Line, Measured, Standing, Verification};
 
 /// What stands where there is no figure.
-pub(super) const NONE: &str = "-";
+const NONE: &str = "-";
+
+/// What the signs in front of rows mean.
+pub(super) const SIGNS: &str = "✓ confirmed, ✗ contradicted, ? inconclusive, · blind, ! failed";
+/// What blind is.
+pub(super) const BLIND: &str = "blind: the case hides the leading error of what was declared";
 
 /// Errors as high as their logarithms, the largest first.
 const BARS: [char; 8] = ['▁', '▂', '▃', '▄', '▅', '▆', '▇', '█'];
@@ -127,13 +134,13 @@ pub(super) fn failure((levels, why): &(Vec<u64>, String)) -> String {
 }
 
 /// One sign for what a channel says.
-pub(super) fn sign(standing: Standing) -> char {
+pub(super) fn sign(standing: Standing) -> &'static str {
     match standing {
-        Standing::Confirmed => '✓',
-        Standing::Contradicted => '✗',
-        Standing::Inconclusive => '?',
-        Standing::Blind => '·',
-        Standing::Failed => '!',
+        Standing::Confirmed => "✓",
+        Standing::Contradicted => "✗",
+        Standing::Inconclusive => "?",
+        Standing::Blind => "·",
+        Standing::Failed => "!",
     }
 }
 
@@ -149,37 +156,36 @@ pub(super) fn counts(counts: Counts, of: usize) -> String {
     )
 }
 
-/// What the values say in all, in sentences.
-pub(super) fn fingerprint(verification: &Verification) -> Vec<String> {
+/// What the values say in all.
+pub(super) fn fingerprint(verification: &Verification) -> Vec<Finding> {
     let Some(found) = &verification.fingerprint else {
         return Vec::new();
     };
-    let mut sentences = vec![match &found.best {
-        Some(best) if found.is_named() => {
-            format!("the values are those of: {}", matched(best))
+    let tone = deviates(verification).then_some(Tone::Bad);
+    let said = |label: &str, words: &str| Finding {
+        tone,
+        ..Finding::new(label, words)
+    };
+    let unknown = "no known model reproduces the values";
+    let mut findings = vec![match &found.best {
+        Some(best) if found.is_named() => said("the values are those of", &matched(best)),
+        Some(best) if 2 * best.agrees.len() >= best.of && best.digits >= 1.0 => {
+            said(&format!("{unknown}; nearest"), &matched(best))
         }
-        Some(best) if 2 * best.agrees.len() >= best.of && best.digits >= 1.0 => format!(
-            "no known model reproduces the values; nearest: {}",
-            matched(best)
-        ),
-        _ => "no known model reproduces the values".into(),
+        _ => said("", unknown),
     }];
     if found.is_named() && !found.alike.is_empty() {
-        let alike: Vec<String> = found
-            .alike
-            .iter()
-            .take(3)
-            .map(ToString::to_string)
-            .collect();
-        sentences.push(format!(
-            "the same numbers come from: {}",
-            alike.join("; or ")
-        ));
+        let alike = found.alike.iter().take(3).map(ToString::to_string);
+        let alike = alike.collect::<Vec<String>>().join("; or ");
+        findings.push(Finding::new("the same numbers come from", alike));
     }
-    if let Some(declared) = declared(found) {
-        sentences.push(declared);
+    if found.contradicts_declaration() {
+        findings.push(match &found.declared {
+            Some(declared) => said("that is not what it declares", &outside(declared)),
+            None => said("", "that is not where it declares to sample"),
+        });
     }
-    sentences
+    findings
 }
 
 /// "front samples, …: agrees to 15 digits in 22 of 24 cases".
@@ -192,14 +198,8 @@ fn matched(best: &Match) -> String {
     )
 }
 
-/// What becomes of the declared method, where the values are not its.
-fn declared(found: &Fingerprint) -> Option<String> {
-    if !found.contradicts_declaration() {
-        return None;
-    }
-    let Some(declared) = &found.declared else {
-        return Some("that is not where it declares to sample".into());
-    };
+/// How little the declared method is seen in the values.
+fn outside(declared: &Match) -> String {
     let Match {
         model, agrees, of, ..
     } = declared;
@@ -207,10 +207,29 @@ fn declared(found: &Fingerprint) -> Option<String> {
         Model::Recipe(recipe) => recipe.to_string(),
         Model::Method(method) => method.to_string(),
     };
-    Some(format!(
-        "that is not what it declares: {model} gives these values in {} of {of} channels only",
+    format!(
+        "{model} gives these values in {} of {of} channels only",
         agrees.len()
-    ))
+    )
+}
+
+/// Defects by name, with their channels, or with the number of these where there are more than so many. Jitter is no defect
+/// of a kernel that says it draws random numbers.
+pub(super) fn findings(verification: &Verification, most: usize) -> Vec<Finding> {
+    let (label, tone) = if verification.declaration.stochastic {
+        ("found", Tone::Open)
+    } else {
+        ("defect", Tone::Bad)
+    };
+    let findings = verification.findings.iter().map(|found| {
+        let channels = match &found.channels[..] {
+            [] => NONE.into(),
+            channels if channels.len() > most => format!("{} channels", channels.len()),
+            channels => channels.join(", "),
+        };
+        Finding::new(label, format!("{} ({channels})", found.defect)).toned(tone)
+    });
+    findings.collect()
 }
 
 /// Why a verification is not confirmed, or what makes it so.
@@ -248,14 +267,5 @@ pub(super) fn axis(verification: &Verification) -> String {
         Axis::Step if settings.uneven => format!("n = {ladder}, d = ⅞ D/n divides no ray"),
         Axis::Step => format!("n = {ladder}"),
         Axis::Grid => format!("cells of the grid = {ladder}"),
-    }
-}
-
-/// What a finding is called: jitter is no defect of a kernel that says it draws random numbers.
-pub(super) fn label(verification: &Verification) -> &'static str {
-    if verification.declaration.stochastic {
-        "found: "
-    } else {
-        "defect: "
     }
 }

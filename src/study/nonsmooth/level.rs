@@ -89,7 +89,8 @@ pub struct Measured {
 
 /// The level that starts at `start`, of the samples that belong to it; an error that is not finite is the
 /// largest of all.
-pub(super) fn level(place: Place, start: u64, samples: &[Sample]) -> Option<Level> {
+#[must_use]
+pub fn level(place: Place, start: u64, samples: &[Sample]) -> Option<Level> {
     let numbers = numbers(place, start);
     let own = || {
         let own = |sample: &Sample| sample.n.is_some_and(|n| numbers.contains(&n));
@@ -206,6 +207,3 @@ fn compare(order: f64, half_width: f64, expected: Expected) -> Verdict {
 fn log2(error: &Float) -> f64 {
     MpfrReal::from(error.clone()).log2_abs()
 }
-
-#[cfg(test)]
-mod tests;

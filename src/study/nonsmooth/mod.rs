@@ -8,7 +8,7 @@ mod level;
 mod rows;
 
 pub use cell::Cell;
-pub use level::{Level, Measured, STARTS, judge, numbers};
+pub use level::{Level, Measured, STARTS, judge, level, numbers};
 pub use rows::{Kind, Place};
 
 use super::{Progress, Run, samples};
@@ -16,9 +16,9 @@ use crate::case::manufacture::{ManufactureError, manufacture};
 use crate::case::{FileError, SymbolicCase, catalogue};
 use crate::convergence::{FitError, fit};
 use crate::method::{Method, MethodError, expected, expected_on};
+use crate::parallel;
 use crate::real::Mpfr;
 use crate::reference::ReferenceError;
-use rayon::prelude::*;
 use rows::{case_name, rows};
 
 /// Bits of the runs: the finest error of the table is near 1e-22, the floor near 1e-34.
@@ -72,14 +72,11 @@ pub fn measure(progress: &dyn Progress) -> Result<Vec<Cell>, NonsmoothError> {
         .collect();
     tasks.sort_by_key(|&(_, n)| std::cmp::Reverse(n));
     let format = Mpfr { bits: BITS };
-    let runs: Vec<(usize, Run)> = tasks
-        .par_iter()
-        .with_max_len(1)
-        .map(|&(index, n)| {
-            let case = &columns[index].case;
-            Ok((index, Run::new(case, format, &methods, &[n], progress)?))
-        })
-        .collect::<Result<_, MethodError>>()?;
+    let runs: Vec<(usize, Run)> = parallel::try_map(&tasks, |&(index, n)| {
+        let case = &columns[index].case;
+        let run = Run::new(case, format, &methods, &[n], progress)?;
+        Ok::<_, MethodError>((index, run))
+    })?;
     let mut cells = Vec::new();
     for (index, column) in columns.iter().enumerate() {
         let own = runs.iter().rev().filter(|(of, _)| *of == index);

@@ -2,7 +2,7 @@
 
 use super::PlanError;
 use super::layout::Stretch;
-use super::survey::series;
+use super::series::series;
 use crate::real::{Format, Native};
 use crate::scene::{Form, Scene};
 use crate::symbolic::{Program, Range, Taylor};

@@ -22,25 +22,31 @@ const THICKEST: f64 = 1000.0;
 
 /// A model for a stretch.
 #[derive(Clone, Debug, PartialEq)]
-pub(super) struct Candidate {
-    pub(super) model: Model,
-    pub(super) cost: f64,
+pub struct Candidate {
+    /// The model.
+    pub model: Model,
+    /// What it costs.
+    pub cost: f64,
     /// What the radiance of a channel errs by at most, T in front included.
-    pub(super) error: f64,
+    pub error: f64,
 }
 
 /// A stretch, its candidates, and the two parts of it.
-pub(super) struct Node {
-    pub(super) panels: Range<usize>,
-    pub(super) candidates: Vec<Candidate>,
-    pub(super) halves: Option<(usize, usize)>,
+pub struct Node {
+    /// The panels that it consists of.
+    pub panels: Range<usize>,
+    /// What may stand for it as a whole.
+    pub candidates: Vec<Candidate>,
+    /// The nodes of its parts, where it is divided.
+    pub halves: Option<(usize, usize)>,
 }
 
 /// All stretches that a choice may be made of.
-pub(super) struct Forest {
-    pub(super) nodes: Vec<Node>,
+pub struct Forest {
+    /// Parts stand before what is made of them.
+    pub nodes: Vec<Node>,
     /// One for each medium.
-    pub(super) roots: Vec<usize>,
+    pub roots: Vec<usize>,
 }
 
 impl Forest {

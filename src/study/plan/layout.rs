@@ -1,7 +1,7 @@
 //! A scene in a format, and the places where its models look.
 
 use crate::quadrature::{Collocation, RuleError, collocation};
-use crate::real::{Format, Native};
+use crate::real::{Format, Native, row};
 use crate::scene::{BoundPiece, Columns, Medium, Piece, Scene};
 use rug::Rational;
 use std::ops::Range;
@@ -62,9 +62,7 @@ impl<'s, F: Format> Layout<'s, F> {
         Layout {
             format,
             channels: scene.channels().len(),
-            media: media
-                .map(|medium| medium.pieces.iter().map(laid).collect())
-                .collect(),
+            media: row(media.map(|medium| row(medium.pieces.iter().map(laid)))),
         }
     }
 
@@ -81,11 +79,7 @@ impl<'s, F: Format> Layout<'s, F> {
             self.format.ratio(&stretch.from),
             self.format.ratio(&stretch.length()),
         );
-        let lambda: Vec<F::Real> = table
-            .nodes
-            .iter()
-            .map(|x| x.clone() * &length + &from)
-            .collect();
+        let lambda = row(table.nodes.iter().map(|x| x.clone() * &length + &from));
         let mut columns = Columns::new(self.channels);
         let pieces = self
             .media

@@ -6,7 +6,7 @@ use super::settings::MAX_BITS;
 use super::stored::{Checked, CheckedChannel, StoredPlan};
 use super::truth::scene_radiance;
 use super::{PlanError, Settings};
-use crate::real::{Format, FormatName, Mpfr, Native, NativeFloat, Real, WithFormat};
+use crate::real::{Format, FormatName, Mpfr, Native, NativeFloat, Real, WithFormat, row};
 use crate::scene::Scene;
 use rug::Float;
 
@@ -156,6 +156,6 @@ impl WithFormat for Running<'_> {
     fn run<F: Format>(self, format: F) -> Self::Output {
         let rendered = self.plan.run_in(format)?;
         let radiance = rendered.radiance.iter();
-        Ok(radiance.map(|r| (r.to_float(), r.to_string())).collect())
+        Ok(row(radiance.map(|r| (r.to_float(), r.to_string()))))
     }
 }

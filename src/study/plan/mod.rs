@@ -13,9 +13,9 @@
 //! true transmittance in front and R̃ what the models let in from behind.
 
 mod brightest;
-mod candidates;
-mod certify;
-mod choose;
+pub(crate) mod candidates;
+pub(crate) mod certify;
+pub(crate) mod choose;
 mod cost;
 mod draft;
 mod error;
@@ -26,6 +26,7 @@ mod make;
 mod model;
 mod restore;
 mod run;
+mod series;
 mod settings;
 mod stored;
 mod survey;

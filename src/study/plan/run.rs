@@ -4,7 +4,7 @@ use super::layout::{Layout, Stretch};
 use super::light::{Light, by_points};
 use super::{Model, PlanError};
 use crate::case::Transfer;
-use crate::real::{Format, Real};
+use crate::real::{Format, Real, row, try_row};
 use crate::scene::{BoundPiece, Form, Scene, Values};
 
 /// What comes out of a plan, by channel.
@@ -43,8 +43,8 @@ pub(super) fn run<F: Format>(
 ) -> Result<Rendered<F::Real>, PlanError> {
     let layout = Layout::new(scene, format);
     let channels = layout.channels;
-    let mut radiance: Vec<F::Real> = (0..channels).map(|_| format.int(0)).collect();
-    let mut transmittance: Vec<F::Real> = (0..channels).map(|_| format.int(1)).collect();
+    let mut radiance = row((0..channels).map(|_| format.int(0)));
+    let mut transmittance = row((0..channels).map(|_| format.int(1)));
     let mut evaluations = 0;
     for task in tasks {
         let light = light(scene, &layout, task)?;
@@ -88,7 +88,7 @@ pub(super) fn light<F: Format>(
     task: &Task,
 ) -> Result<Vec<Light<F::Real>>, PlanError> {
     let format = layout.format;
-    let none = || (0..layout.channels).map(|_| Light::none(format)).collect();
+    let none = || row((0..layout.channels).map(|_| Light::none(format)));
     let length = || format.ratio(&task.stretch.length());
     match task.model {
         Model::Nothing => Ok(none()),
@@ -99,7 +99,7 @@ pub(super) fn light<F: Format>(
                     let depth = of_one.extinction.clone() * &length;
                     Light::of_constant_emission(&of_one.emission, depth)
                 });
-                Ok(light.collect())
+                Ok(row(light))
             }
             _ => Ok(none()),
         },
@@ -111,7 +111,7 @@ pub(super) fn light<F: Format>(
                     let (near, far) = (rounded(front, format), rounded(back, format));
                     Ok(Light::linear(&near, &far, &length)?)
                 });
-                light.collect()
+                try_row(light)
             }
             _ => Ok(none()),
         },
@@ -125,7 +125,7 @@ pub(super) fn light<F: Format>(
             let light = columns.map(|(emission, extinction)| {
                 by_points(model, emission, extinction, &looked.table, &looked.length)
             });
-            Ok(light.collect())
+            Ok(row(light))
         }
     }
 }

@@ -5,10 +5,11 @@ use super::brightest::brightest;
 use super::certify::bounds;
 use super::layout::{Layout, Stretch};
 use super::light::{Light, attenuated, size, sums};
+use super::series::{half_width, series};
 use crate::quadrature::collocation;
-use crate::real::{Format, Native, Real};
+use crate::real::{Format, Real};
 use crate::scene::{BoundPiece, Form, Piece, Scene};
-use crate::symbolic::{Program, Range, Taylor, taylor};
+use crate::symbolic::Taylor;
 use rug::Rational;
 
 /// Each panel may take this part of the tolerance.
@@ -210,7 +211,7 @@ impl<F: Format> Surveyor<'_, '_, F> {
 
     /// What the radiance may be off by, where that is little enough.
     fn uncertainty(&self, series: &[(Taylor, Taylor)], panel: &Stretch) -> Option<f64> {
-        let half = (half_width(panel)).next_up();
+        let half = half_width(panel).next_up();
         let table = collocation(self.order, self.layout.format).ok()?;
         let mut largest = 0.0_f64;
         for (channel, (emission, extinction)) in series.iter().enumerate() {
@@ -241,26 +242,6 @@ impl<F: Format> Surveyor<'_, '_, F> {
             })
             .collect())
     }
-}
-
-fn half_width(panel: &Stretch) -> f64 {
-    Native::<f64>::new().ratio(&panel.length()) / 2.0
-}
-
-/// C and τ of every channel over a panel.
-pub(super) fn series(program: &Program, panel: &Stretch, order: u32) -> Vec<(Taylor, Taylor)> {
-    let range = Range::new(
-        Range::around(&panel.from).low,
-        Range::around(&panel.to).high,
-    );
-    let variable = Taylor::variable(range, half_width(panel).next_up());
-    let outputs = taylor(program, &variable, order as usize);
-    let mut outputs = outputs.into_iter();
-    let mut all = Vec::new();
-    while let (Some(emission), Some(extinction)) = (outputs.next(), outputs.next()) {
-        all.push((emission, extinction));
-    }
-    all
 }
 
 /// The light of a piece that has a closed form.

@@ -4,14 +4,14 @@ use super::entry::{Entry, Level};
 use super::explain::explain_stochastic;
 use super::tables::{Cell, Stochastic};
 use super::{REPLICAS, ReproduceError, protocol};
-use crate::case::{Case, Shared};
+use crate::case::{AnyNodes, Case, Shared};
 use crate::convergence::{OrderInterval, Replicas, StochasticFit, Verdict, fit_replicas};
 use crate::method::Level as Ray;
 use crate::method::{Expected, Exponential, Inner, Method, MethodError, Nested, Scope};
+use crate::parallel;
 use crate::real::Native;
 use crate::study::Progress;
 use crate::study::run::{exact, exact_radiance};
-use rayon::prelude::*;
 use rug::{Float, Rational};
 
 /// One replica costs about as much as so many evaluations in MPFR.
@@ -32,19 +32,26 @@ pub(super) fn entries<C: Case>(
     let nodes = Shared::new(case, Native::<f64>::new());
     let radiance = exact_radiance(case, f64::MANTISSA_DIGITS)?;
     let seeds: Vec<u64> = (0..REPLICAS as u64).map(|r| seed.wrapping_add(r)).collect();
-    let replicas: Vec<Errors> = seeds
-        .par_iter()
-        .with_max_len(1)
-        .map(|&seed| {
-            let errors = one_replica(&nodes, cells, seed, &radiance)?;
-            progress.advance(UNITS);
-            Ok(errors)
-        })
-        .collect::<Result<_, MethodError>>()?;
-    let length = case.length();
+    let any = AnyNodes::new(&nodes);
+    let replicas: Vec<Errors> = parallel::try_map(&seeds, |&seed| {
+        let errors = one_replica(any, cells, seed, &radiance)?;
+        progress.advance(UNITS);
+        Ok::<_, MethodError>(errors)
+    })?;
+    fitted(&replicas, cells, seed, &case.length(), &radiance)
+}
+
+/// The order of every cell.
+fn fitted(
+    replicas: &[Errors],
+    cells: &[Cell<Stochastic>],
+    seed: u64,
+    length: &Rational,
+    radiance: &Float,
+) -> Result<Vec<Entry>, ReproduceError> {
     let steps: Vec<f64> = protocol::LADDER
         .iter()
-        .map(|&n| Rational::from(&length / n).to_f64())
+        .map(|&n| Rational::from(length / n).to_f64())
         .collect();
     let floor = f64::EPSILON * radiance.to_f64().abs();
     cells
@@ -67,15 +74,15 @@ pub(super) fn entries<C: Case>(
         .collect()
 }
 
-fn one_replica<C: Case>(
-    nodes: &Shared<'_, C, Native<f64>>,
+fn one_replica(
+    nodes: AnyNodes<'_, Native<f64>>,
     cells: &[Cell<Stochastic>],
     seed: u64,
     radiance: &Float,
 ) -> Result<Errors, MethodError> {
     let mut errors = vec![Vec::with_capacity(protocol::LADDER.len()); cells.len()];
     for n in protocol::LADDER {
-        let mut ray = Ray::new(nodes, n);
+        let mut ray = Ray::of_any(nodes, n);
         for (cell, errors) in cells.iter().zip(&mut errors) {
             let method = Method::Nested(Nested {
                 inner: Inner::MonteCarlo {

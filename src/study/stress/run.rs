@@ -16,10 +16,10 @@ use crate::case::{Case, Nodes, Transfer};
 use crate::method::{
     Accumulation, CompositingOrder, Method, MethodError, OpacityFormula, Position,
 };
+use crate::parallel;
 use crate::real::{Format, FormatName, Native, Real};
 use crate::study::Progress;
 use half::{bf16, f16};
-use rayon::prelude::*;
 use rug::{Float, Rational};
 use std::cmp::Reverse;
 
@@ -63,15 +63,11 @@ pub fn run(settings: &Settings, progress: &dyn Progress) -> Result<Vec<Cell>, St
         }
     }
     tasks.sort_by_key(|(_, scenario, ..)| Reverse(scenario.n));
-    let mut cells: Vec<(usize, Cell)> = tasks
-        .into_par_iter()
-        .with_max_len(1)
-        .map(|(place, scenario, method, kind, format)| {
-            let cell = cell(scenario, method, kind, format);
-            progress.advance(scenario.n);
-            (place, cell)
-        })
-        .collect();
+    let mut cells = parallel::map(&tasks, |&(place, scenario, method, kind, format)| {
+        let cell = cell(scenario, method, kind, format);
+        progress.advance(scenario.n);
+        (place, cell)
+    });
     cells.sort_by_key(|(place, _)| *place);
     Ok(cells.into_iter().map(|(_, cell)| cell).collect())
 }

@@ -2,7 +2,7 @@
 
 mod kinds;
 mod runs;
-mod solve;
+pub(crate) mod solve;
 
 use super::clock::now;
 use super::measure::{Timing, nanoseconds, runs_a_measurement};
@@ -87,22 +87,21 @@ impl WithFormat for Measure {
 
     fn run<F: Format>(self, format: F) -> Calibration {
         let prior = kinds::costs(format);
-        let mut pieces = runs::pieces(format);
-        let times = measured(&mut pieces);
-        let rows: Vec<(Vec<f64>, f64)> = pieces
-            .iter()
-            .zip(times)
-            .filter(|(_, time)| *time > 0.0)
-            .map(|(piece, time)| (features(&piece.counts), time))
-            .collect();
-        let mut costs = solve::costs(&rows, &prior);
-        let run = costs.pop().unwrap_or(0.0);
-        Calibration {
-            format: self.format,
-            costs,
-            run,
-        }
+        calibrated(self.format, &prior, runs::pieces(format))
     }
+}
+
+fn calibrated(format: FormatName, prior: &[f64], mut pieces: Vec<Piece>) -> Calibration {
+    let times = measured(&mut pieces);
+    let rows: Vec<(Vec<f64>, f64)> = pieces
+        .iter()
+        .zip(times)
+        .filter(|(_, time)| *time > 0.0)
+        .map(|(piece, time)| (features(&piece.counts), time))
+        .collect();
+    let mut costs = solve::costs(&rows, prior);
+    let run = costs.pop().unwrap_or(0.0);
+    Calibration { format, costs, run }
 }
 
 /// The counts, and 1 for the run itself at the end.

@@ -3,7 +3,7 @@
 //! Cost is counted work, which is the same on every machine; time measured on this one; and time modelled from
 //! the counts and a [`Calibration`] of this machine, which other parts can ask what any work will take.
 
-mod calibration;
+pub(crate) mod calibration;
 mod catalogue;
 mod cheapest;
 mod clock;
@@ -15,8 +15,6 @@ mod record;
 mod results;
 mod run;
 mod summary;
-#[cfg(test)]
-mod tests;
 
 pub use calibration::Calibration;
 pub use catalogue::{METHODS, USUAL_FORMAT, USUAL_METHOD, default_formats, default_methods};

@@ -4,14 +4,14 @@ use super::catalogue::{USUAL_FORMAT, USUAL_METHOD};
 use super::measure::{nanoseconds, runs_a_measurement};
 use super::{Calibration, JournalError, Outcome, Point, Timing, Unit};
 use crate::case::{CountedCase, Fresh, SymbolicCase};
-use crate::method::Method;
+use crate::method::{Method, MethodError};
+use crate::parallel;
 use crate::real::counted::{Counted, count};
 use crate::real::{Counts, Format, FormatName, Mpfr, WithFormat};
 use crate::reference::{self, Reference, ReferenceError};
 use crate::study::Progress;
 use crate::study::run::exact;
 use crate::study::sweep::Sweep;
-use rayon::prelude::*;
 use rug::Float;
 use std::hint::black_box;
 
@@ -158,41 +158,17 @@ impl WithFormat for OneUnit<'_> {
     type Output = Unit;
 
     fn run<F: Format>(self, format: F) -> Unit {
-        let runs: Vec<(Method, bool, u64)> = self
-            .part
-            .methods
-            .iter()
-            .flat_map(|(method, usual)| self.levels.iter().map(|n| (*method, *usual, *n)))
-            .collect();
-        let counted = CountedCase(self.case);
-        let mut points: Vec<Point> = runs
-            .into_par_iter()
-            .with_max_len(1)
-            .map(|(method, only_usual, n)| {
-                let nodes = Fresh::new(self.case, format);
-                let (outcome, counts) = match method.radiance(&nodes, n) {
-                    Ok(radiance) => (
-                        self.outcome(&exact(&radiance)),
-                        counts(&counted, format.bits(), &method, n),
-                    ),
-                    Err(error) => {
-                        let reason = error.to_string();
-                        (Outcome::Refused { reason }, Counts::default())
-                    }
-                };
-                self.progress.advance(n);
-                Point {
-                    method,
-                    n,
-                    outcome,
-                    counts,
-                    modelled: None,
-                    measured: None,
-                    only_usual,
-                }
-            })
-            .collect();
-        let calibration = self.timed.then(|| self.time(format, &mut points));
+        // A run prepares its nodes itself, as those do that the calibration is made of.
+        let radiance = |method: Method, n| {
+            let nodes = Fresh::new(self.case, format);
+            Ok(exact(&method.radiance(&nodes, n)?))
+        };
+        let once = |method: Method, n| {
+            let nodes = Fresh::new(self.case, format);
+            drop(black_box(method.radiance(&nodes, n)));
+        };
+        let mut points = self.points(format.bits(), &radiance);
+        let calibration = self.timed.then(|| self.time(&mut points, &once));
         Unit {
             case: self.name.into(),
             format: self.part.format,
@@ -213,6 +189,40 @@ fn counts(case: &CountedCase<'_, SymbolicCase>, bits: u32, method: &Method, n: u
 }
 
 impl OneUnit<'_> {
+    /// Errors and counts of all runs, on all threads.
+    fn points(
+        &self,
+        bits: u32,
+        radiance: &(dyn Fn(Method, u64) -> Result<Float, MethodError> + Sync),
+    ) -> Vec<Point> {
+        let runs: Vec<(Method, bool, u64)> = self
+            .part
+            .methods
+            .iter()
+            .flat_map(|(method, usual)| self.levels.iter().map(|n| (*method, *usual, *n)))
+            .collect();
+        let counted = CountedCase(self.case);
+        parallel::map(&runs, |&(method, only_usual, n)| {
+            let (outcome, counts) = match radiance(method, n) {
+                Ok(radiance) => (self.outcome(&radiance), counts(&counted, bits, &method, n)),
+                Err(error) => {
+                    let reason = error.to_string();
+                    (Outcome::Refused { reason }, Counts::default())
+                }
+            };
+            self.progress.advance(n);
+            Point {
+                method,
+                n,
+                outcome,
+                counts,
+                modelled: None,
+                measured: None,
+                only_usual,
+            }
+        })
+    }
+
     /// The error of a radiance, exactly subtracted and rounded once.
     fn outcome(&self, radiance: &Float) -> Outcome {
         if !radiance.is_finite() {
@@ -231,14 +241,9 @@ impl OneUnit<'_> {
     }
 
     /// Times all points on this thread, pass by pass: what disturbs the machine for a while disturbs one
-    /// measurement of each at most.
-    fn time<F: Format>(&self, format: F, points: &mut [Point]) -> Calibration {
+    /// measurement of each at most. `once` runs a method on n segments.
+    fn time(&self, points: &mut [Point], once: &dyn Fn(Method, u64)) -> Calibration {
         let before = Calibration::of_format(self.part.format);
-        // A run prepares its nodes itself, as those do that the calibration is made of.
-        let once = |method: Method, n: u64| {
-            let nodes = Fresh::new(self.case, format);
-            drop(black_box(method.radiance(&nodes, n)));
-        };
         let mut timed: Vec<(&mut Point, u32, Vec<f64>)> = Vec::new();
         for point in points {
             if let Outcome::Refused { .. } = point.outcome {

@@ -7,7 +7,7 @@ mod explain;
 mod line;
 mod nominal;
 mod settings;
-mod standing;
+pub(crate) mod standing;
 mod truth;
 
 pub use baseline::{Baseline, BaselineError, BaselineLine, Moved};

@@ -73,20 +73,25 @@ impl Counts {
 }
 
 /// What a standing rests on.
-pub(super) struct Judged<'a> {
-    pub(super) measured: &'a Measured,
-    pub(super) expected: Option<Expected>,
-    pub(super) failures: &'a [Failure],
+pub struct Judged<'a> {
+    /// The order that was measured.
+    pub measured: &'a Measured,
+    /// The order that was expected.
+    pub expected: Option<Expected>,
+    /// The levels that were not answered.
+    pub failures: &'a [Failure],
     /// The verdict on the declared method itself, run exactly on the same levels.
-    pub(super) of_method: Option<Verdict>,
+    pub of_method: Option<Verdict>,
     /// Whether the declared method, if there is one, has a value at every level in the declared format.
-    pub(super) in_range: bool,
-    pub(super) steady: bool,
+    pub in_range: bool,
+    /// Whether answers to the same request are the same.
+    pub steady: bool,
 }
 
 /// A kernel is measured by what its declared method itself shows on the same levels: where that is not confirmed,
 /// the ladder is too short or the case too hard for any kernel, and only what is worse than the method counts.
-pub(super) fn of(judged: &Judged<'_>) -> Standing {
+#[must_use]
+pub fn of(judged: &Judged<'_>) -> Standing {
     let verdict = judged.measured.verdict();
     if !judged.failures.is_empty() {
         return Standing::Failed;
@@ -129,79 +134,5 @@ pub(super) fn of(judged: &Judged<'_>) -> Standing {
         Standing::Contradicted
     } else {
         Standing::Inconclusive
-    }
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-    use crate::convergence::{Sample, fit};
-    use rug::Float;
-
-    /// Errors of that order on seven levels, with a part that does not converge.
-    fn measured(order: f64, rest: f64, expected: Expected) -> Measured {
-        let sample = |level: i32| {
-            let step = 0.5_f64.powi(level);
-            Sample {
-                n: None,
-                step,
-                error: Float::with_val(53, step.powf(order) + rest),
-                floor: Float::with_val(53, 1e-16),
-            }
-        };
-        let samples: Vec<Sample> = (3..10).map(sample).collect();
-        let fit = Box::new(fit(&samples, Some(expected)).unwrap());
-        Measured::Fitted { fit, samples }
-    }
-
-    fn standing(measured: &Measured, expected: Expected, of_method: Option<Verdict>) -> Standing {
-        of(&Judged {
-            measured,
-            expected: Some(expected),
-            failures: &[],
-            of_method,
-            in_range: true,
-            steady: true,
-        })
-    }
-
-    #[test]
-    fn a_blind_case_still_tells_what_does_not_converge() {
-        let blind = Expected::Blind {
-            general: 1.0,
-            here: 2.0,
-        };
-        let fine = measured(2.0, 0.0, blind);
-        assert_eq!(
-            standing(&fine, blind, Some(Verdict::Blind)),
-            Standing::Blind
-        );
-        let too_bright = measured(2.0, 0.1, blind);
-        assert_eq!(too_bright.verdict(), Verdict::Stalled);
-        let contradicted = standing(&too_bright, blind, Some(Verdict::Blind));
-        assert_eq!(contradicted, Standing::Contradicted);
-        // Where the method itself stalls there, nobody does better.
-        let as_the_method = standing(&too_bright, blind, Some(Verdict::Stalled));
-        assert_eq!(as_the_method, Standing::Blind);
-    }
-
-    #[test]
-    fn what_the_method_cannot_show_is_not_asked_of_a_kernel() {
-        let second = Expected::Order(2.0);
-        let first = measured(1.0, 0.0, second);
-        assert_eq!(first.verdict(), Verdict::TooLow);
-        for (of_method, says) in [
-            (Some(Verdict::Confirmed), Standing::Contradicted),
-            (Some(Verdict::PreAsymptotic), Standing::Inconclusive),
-            (None, Standing::Contradicted),
-        ] {
-            assert_eq!(standing(&first, second, of_method), says);
-        }
-        // Of a claim alone an order may be higher here or there.
-        let third = measured(3.0, 0.0, second);
-        assert_eq!(third.verdict(), Verdict::TooHigh);
-        assert_eq!(standing(&third, second, None), Standing::Inconclusive);
-        let confirmed = Some(Verdict::Confirmed);
-        assert_eq!(standing(&third, second, confirmed), Standing::Contradicted);
     }
 }

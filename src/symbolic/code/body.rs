@@ -1,59 +1,16 @@
 //! From a program to named steps and one value, as text.
 
 use super::callee::Callee;
-use super::layout::{Choice, Layout};
+use super::layout::{Body, Choice, Layout};
 use super::names::Names;
 use super::number;
+use super::text::{Strength, Text};
 use crate::symbolic::{Constant, Function, Operand, Operation, Program};
 use std::collections::HashMap;
 
 /// Longer texts become a step of their own, although they are needed once: lines stay readable, and
 /// nesting stays shallow enough for every compiler.
 const MAX_NESTED: usize = 60;
-
-/// How tightly a piece of text holds together.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
-pub(super) enum Strength {
-    Choice,
-    Sum,
-    Product,
-    Sign,
-    Atom,
-}
-
-/// An expression as text.
-#[derive(Clone, Debug)]
-pub(super) struct Text {
-    pub(super) text: String,
-    pub(super) strength: Strength,
-}
-
-impl Text {
-    fn atom(text: impl Into<String>) -> Text {
-        Text {
-            text: text.into(),
-            strength: Strength::Atom,
-        }
-    }
-
-    fn at(&self, least: Strength) -> String {
-        if self.strength < least {
-            format!("({})", self.text)
-        } else {
-            self.text.clone()
-        }
-    }
-}
-
-/// The inside of a function.
-pub(super) struct Body {
-    pub(super) parameters: Vec<String>,
-    /// Those of the parameters that nothing depends on.
-    pub(super) unused: Vec<String>,
-    /// Names and what they stand for, in order.
-    pub(super) steps: Vec<(String, String)>,
-    pub(super) value: String,
-}
 
 /// The first output of the program; `callees` gets what it calls, each once.
 pub(super) fn body(

@@ -1,6 +1,5 @@
 //! What differs from language to language.
 
-use super::body::Body;
 use super::callee::Callee;
 use crate::symbolic::Relation;
 
@@ -26,6 +25,16 @@ impl Choice<'_> {
             |relation: Relation| format!("{} {} {}", self.left, relation.as_str(), self.right);
         (condition(self.relation), condition(opposite))
     }
+}
+
+/// The inside of a function.
+pub(super) struct Body {
+    pub(super) parameters: Vec<String>,
+    /// Those of the parameters that nothing depends on.
+    pub(super) unused: Vec<String>,
+    /// Names and what they stand for, in order.
+    pub(super) steps: Vec<(String, String)>,
+    pub(super) value: String,
 }
 
 /// How a language is written.

@@ -1,7 +1,7 @@
 //! Constants as text that a compiler rounds once.
 
-use super::body::{Strength, Text};
 use super::layout::Layout;
+use super::text::{Strength, Text};
 use crate::real::{Format, Native};
 use crate::symbolic::parse_number;
 use rug::Rational;

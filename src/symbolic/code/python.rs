@@ -1,8 +1,7 @@
 //! Python 3.
 
-use super::body::Body;
 use super::callee::Callee;
-use super::layout::{Choice, Layout};
+use super::layout::{Body, Choice, Layout};
 use super::names::listed;
 use crate::symbolic::Function;
 

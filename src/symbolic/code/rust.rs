@@ -1,8 +1,7 @@
 //! Rust.
 
-use super::body::Body;
 use super::callee::Callee;
-use super::layout::{self, Choice, Layout};
+use super::layout::{self, Body, Choice, Layout};
 use super::names::listed;
 use crate::symbolic::Function;
 

@@ -11,7 +11,7 @@ use std::sync::Arc;
 
 /// The place of a polynomial in its arena.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
-pub(super) struct PolynomialId(u32);
+pub struct PolynomialId(u32);
 
 impl PolynomialId {
     /// The polynomial 0, the first of every arena.
@@ -20,16 +20,20 @@ impl PolynomialId {
 
 /// The place of an atom in its arena: what an atom is made of has lower places.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
-pub(super) struct AtomId(u32);
+pub struct AtomId(u32);
 
 /// What isn't taken apart. All but inverses are real wherever the expression is defined.
 #[derive(Clone, Debug, PartialEq, Eq, Hash)]
-pub(super) enum Atom {
+pub enum Atom {
+    /// By its name.
     Symbol(Arc<str>),
+    /// π.
     Pi,
     /// Of a positive number.
     Ln(PolynomialId),
+    /// erf P.
     Erf(PolynomialId),
+    /// atan P.
     Atan(PolynomialId),
     /// |P|, only to the first power: |P|² = P².
     Abs(PolynomialId),
@@ -44,15 +48,19 @@ pub(super) type Factor = (AtomId, Ratio);
 
 /// exp(exponent) · ∏ atomᵏ, the atoms in the order of their places.
 #[derive(Clone, Debug, PartialEq, Eq, Hash)]
-pub(super) struct Monomial {
-    pub(super) exponent: PolynomialId,
-    pub(super) factors: Vec<Factor>,
+pub struct Monomial {
+    /// Of the exponential.
+    pub exponent: PolynomialId,
+    /// Atoms and their powers.
+    pub factors: Vec<Factor>,
 }
 
 /// Why there is no normal form.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) enum Stop {
+pub enum Stop {
+    /// A divisor is 0.
     DivisionByZero,
+    /// More terms or work than the budget.
     TooLarge,
 }
 
@@ -98,7 +106,7 @@ pub(super) enum Product {
 }
 
 /// All that one zero test knows.
-pub(super) struct Arena {
+pub struct Arena {
     polynomials: Interner<Polynomial>,
     monomials: Interner<Monomial>,
     atoms: Interner<Atom>,
@@ -112,7 +120,11 @@ pub(super) struct Arena {
 }
 
 impl Arena {
-    pub(super) fn new() -> Result<Arena> {
+    /// Of the polynomial 0 and the monomial 1 alone.
+    ///
+    /// # Errors
+    /// None: there is room for both.
+    pub fn new() -> Result<Arena> {
         let mut arena = Arena {
             polynomials: Interner::new(),
             monomials: Interner::new(),
@@ -149,7 +161,9 @@ impl Arena {
         Ok(PolynomialId(self.polynomials.intern(polynomial)?))
     }
 
-    pub(super) fn polynomial(&self, id: PolynomialId) -> Rc<Polynomial> {
+    /// The polynomial of that place.
+    #[must_use]
+    pub fn polynomial(&self, id: PolynomialId) -> Rc<Polynomial> {
         self.polynomials.get(id.0)
     }
 
@@ -158,7 +172,9 @@ impl Arena {
         Ok(MonomialId(self.monomials.intern(monomial)?))
     }
 
-    pub(super) fn monomial(&self, id: MonomialId) -> Rc<Monomial> {
+    /// The monomial of that place.
+    #[must_use]
+    pub fn monomial(&self, id: MonomialId) -> Rc<Monomial> {
         self.monomials.get(id.0)
     }
 
@@ -166,7 +182,9 @@ impl Arena {
         Ok(AtomId(self.atoms.intern(atom)?))
     }
 
-    pub(super) fn atom(&self, id: AtomId) -> Rc<Atom> {
+    /// The atom of that place.
+    #[must_use]
+    pub fn atom(&self, id: AtomId) -> Rc<Atom> {
         self.atoms.get(id.0)
     }
 

@@ -5,9 +5,11 @@ use std::cmp::Ordering;
 
 /// re + i·im.
 #[derive(Clone, Debug, PartialEq, Eq, Hash)]
-pub(super) struct Coefficient {
-    pub(super) re: Ratio,
-    pub(super) im: Ratio,
+pub struct Coefficient {
+    /// The real part.
+    pub re: Ratio,
+    /// The imaginary part.
+    pub im: Ratio,
 }
 
 impl Coefficient {

@@ -6,7 +6,7 @@ use std::collections::BTreeMap;
 
 /// The place of a monomial in its arena.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
-pub(super) struct MonomialId(pub(super) u32);
+pub struct MonomialId(pub(super) u32);
 
 impl MonomialId {
     /// The monomial 1, the first of every arena.
@@ -18,7 +18,7 @@ pub(super) type Term = (MonomialId, Coefficient);
 
 /// A sum of terms of different monomials, in the order of their places.
 #[derive(Clone, Debug, Default, PartialEq, Eq, Hash)]
-pub(super) struct Polynomial {
+pub struct Polynomial {
     terms: Vec<Term>,
 }
 
@@ -40,7 +40,9 @@ impl Polynomial {
         Polynomial { terms }
     }
 
-    pub(super) fn terms(&self) -> &[Term] {
+    /// In the order of their monomials' places.
+    #[must_use]
+    pub fn terms(&self) -> &[Term] {
         &self.terms
     }
 

@@ -8,7 +8,7 @@ use std::cmp::Ordering;
 ///
 /// `Large` only where the numerator or the denominator doesn't fit: so equal numbers are equal values.
 #[derive(Clone, Debug, PartialEq, Eq, Hash)]
-pub(super) enum Ratio {
+pub enum Ratio {
     /// Numerator and denominator, which is positive.
     Small(i64, i64),
     /// Anything else.
@@ -34,7 +34,9 @@ impl Ratio {
         }
     }
 
-    pub(super) fn to_rational(&self) -> Rational {
+    /// The same number.
+    #[must_use]
+    pub fn to_rational(&self) -> Rational {
         self.as_rational().into_owned()
     }
 

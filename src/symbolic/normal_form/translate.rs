@@ -18,7 +18,10 @@ struct Operand<'e> {
 }
 
 /// The polynomial of an expression without branches, `nodes` being all in it, parts first.
-pub(super) fn translate(expr: &Expr, nodes: &[&Expr], arena: &mut Arena) -> Result<Polynomial> {
+///
+/// # Errors
+/// `Stop` where it divides by 0, or is too large for the budget.
+pub fn translate(expr: &Expr, nodes: &[&Expr], arena: &mut Arena) -> Result<Polynomial> {
     let mut products: HashMap<&Expr, Vec<Operand<'_>>> = HashMap::new();
     // Products that only occur in products aren't worked out: 1/(ab) is 1/a · 1/b.
     let mut used: HashSet<&Expr> = HashSet::from([expr]);

@@ -2,7 +2,7 @@
 
 use super::{Piece, measured};
 use crate::real::counted::{Counted, Kind, count};
-use crate::real::{Format, Real};
+use crate::real::{Format, Mpfr, Real, row};
 use rug::Rational;
 use std::hint::black_box;
 
@@ -17,7 +17,11 @@ const EVALUATION: f64 = 60.0;
 
 /// Nanoseconds of each kind, in the order of [`Kind::ALL`], and of a run by itself at the end.
 pub(super) fn costs<F: Format>(format: F) -> Vec<f64> {
-    let mut pieces: Vec<Piece> = Kind::ALL.iter().map(|kind| piece(format, *kind)).collect();
+    let pieces = row(Kind::ALL.iter().map(|kind| piece(format, *kind)));
+    by_kind(pieces)
+}
+
+fn by_kind(mut pieces: Vec<Piece>) -> Vec<f64> {
     let times = measured(&mut pieces);
     let of = |kind: Kind| times.get(kind as usize).copied().unwrap_or(0.0);
     let copy = (of(Kind::Copy) / NUMBERS as f64).max(LEAST);
@@ -36,7 +40,10 @@ pub(super) fn costs<F: Format>(format: F) -> Vec<f64> {
 }
 
 fn piece<F: Format>(format: F, kind: Kind) -> Piece {
-    let counted = numbers(Counted(format));
+    // What is counted is the same in every format.
+    let counted = numbers(Counted(Mpfr {
+        bits: format.bits(),
+    }));
     let ((), counts) = count(|| exercise(kind, &counted));
     let numbers = numbers(format);
     Piece {
@@ -47,8 +54,7 @@ fn piece<F: Format>(format: F, kind: Kind) -> Piece {
 
 /// Numbers between 0 and 1 with no short binary fraction.
 fn numbers<F: Format>(format: F) -> Vec<F::Real> {
-    let fractions = (1..=NUMBERS).map(|i| format.fraction(i, NUMBERS + 3));
-    fractions.collect()
+    row((1..=NUMBERS).map(|i| format.fraction(i, NUMBERS + 3)))
 }
 
 /// The operation on all numbers.

@@ -44,6 +44,18 @@ const SEGMENTS: [u64; 4] = [1, 4, 16, 64];
 
 /// The runs; a method that does not suit a medium is left out.
 pub(super) fn pieces<F: Format>(format: F) -> Vec<Piece> {
+    all_pieces(format.bits(), &|medium, method, n| {
+        Box::new(move || {
+            let nodes = Fresh::new(&medium, format);
+            let _ = black_box(black_box(&method).radiance(&nodes, n));
+        })
+    })
+}
+
+/// The work of a method on n segments of a medium.
+type Work<'w> = &'w dyn Fn(SymbolicCase, Method, u64) -> Box<dyn FnMut()>;
+
+fn all_pieces(bits: u32, work: Work<'_>) -> Vec<Piece> {
     let methods: Vec<Method> = METHODS
         .iter()
         .filter_map(|name| name.parse().ok())
@@ -56,31 +68,27 @@ pub(super) fn pieces<F: Format>(format: F) -> Vec<Piece> {
         for (index, method) in methods.iter().enumerate() {
             // Each method at all of them, on different media.
             let n = SEGMENTS[(index + m) % SEGMENTS.len()];
-            pieces.extend(piece(format, &medium, *method, n));
+            pieces.extend(piece(bits, &medium, *method, n, work));
         }
     }
     pieces
 }
 
-fn piece<F: Format>(format: F, medium: &SymbolicCase, method: Method, n: u64) -> Option<Piece> {
+fn piece(
+    bits: u32,
+    medium: &SymbolicCase,
+    method: Method,
+    n: u64,
+    work: Work<'_>,
+) -> Option<Piece> {
     let case = CountedCase(medium);
     // What a method does depends on the number of bits alone, and is compiled once for all formats so.
-    let nodes = Fresh::new(
-        &case,
-        Counted(Mpfr {
-            bits: format.bits(),
-        }),
-    );
+    let nodes = Fresh::new(&case, Counted(Mpfr { bits }));
     let (radiance, counts) = count(|| method.radiance(&nodes, n));
     radiance.ok()?;
-    let medium = medium.clone();
-    let work = move || {
-        let nodes = Fresh::new(&medium, format);
-        let _ = black_box(black_box(&method).radiance(&nodes, n));
-    };
     Some(Piece {
         counts,
-        work: Box::new(work),
+        work: work(medium.clone(), method, n),
     })
 }
 

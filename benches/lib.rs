@@ -1,0 +1,1 @@
+//! What volver's layers cost: `cargo bench -p volver-benches`.

@@ -1,0 +1,83 @@
+//! A run in some format, with all that it used.
+
+use super::parts::Measured;
+use super::ran::{Ran, run};
+use crate::case::{AnyNodes, Case, Nodes, Recorded, Recording, Replayed};
+use crate::method::{Level, Method, MethodError, Stop};
+use crate::real::{Format, Real, row};
+use rug::Float;
+
+/// What methods gave, and the inputs they used.
+pub(super) struct Trace<'a> {
+    pub(super) measured: Vec<Result<Measured, MethodError>>,
+    pub(super) recording: Recording<'a>,
+    /// Whether a replay stood on the same side of every jump and kink.
+    pub(super) took_the_sides_of: Box<dyn Fn(&Replayed<'_>) -> bool + 'a>,
+}
+
+/// One ray of a case in a format: apart from it, no code of an oracle depends on the format.
+pub(super) trait Traced {
+    /// Significant bits of the format.
+    fn bits(&self) -> u32;
+    /// n.
+    fn segments(&self) -> u64;
+    /// The methods, run one after the other.
+    fn trace(&self, methods: &[Method]) -> Trace<'_>;
+    /// The radiance by one of them.
+    fn radiance(&self, method: &Method) -> Result<Float, MethodError>;
+}
+
+/// A ray of n segments.
+pub(super) struct Ray<'a, C, F: Format> {
+    pub(super) case: &'a C,
+    pub(super) nodes: AnyNodes<'a, F>,
+    pub(super) n: u64,
+}
+
+impl<C: Case, F: Format> Traced for Ray<'_, C, F> {
+    fn bits(&self) -> u32 {
+        self.nodes.format().bits()
+    }
+
+    fn segments(&self) -> u64 {
+        self.n
+    }
+
+    fn trace(&self, methods: &[Method]) -> Trace<'_> {
+        let recorded = Recorded::new(self.nodes);
+        let mut level = Level::new(&recorded, self.n);
+        let runs = row(methods
+            .iter()
+            .map(|method| run(&mut level, method, Stop::AsDeclared)));
+        // What is asked for from here on is no part of the run.
+        let recording = recorded.recording();
+        let mut measure = |method, ran: Result<Ran<F::Real>, MethodError>| {
+            let ran = ran?;
+            let rows = level.transmittances(method)?;
+            Ok(Measured {
+                radiance: ran.radiance.to_float(),
+                stopped: ran.stopped,
+                transmittances: row(rows.iter().map(|values| floats(values))),
+            })
+        };
+        let both = methods.iter().zip(runs);
+        let measured = row(both.map(|(method, ran)| measure(method, ran)));
+        drop(level);
+        let case = self.case;
+        Trace {
+            measured,
+            recording,
+            took_the_sides_of: Box::new(move |replayed| recorded.took_the_sides_of(case, replayed)),
+        }
+    }
+
+    fn radiance(&self, method: &Method) -> Result<Float, MethodError> {
+        let mut level = Level::of_any(self.nodes, self.n);
+        let ran = run(&mut level, method, Stop::AsDeclared)?;
+        Ok(ran.radiance.to_float())
+    }
+}
+
+fn floats<R: Real>(values: &[R]) -> Vec<Float> {
+    row(values.iter().map(Real::to_float))
+}

@@ -1,0 +1,63 @@
+//! Reference values as one JSON document.
+
+use super::{Found, source};
+use crate::case::Case;
+use crate::convergence::serialize_float;
+use crate::render::ReportError;
+use crate::report::cases::{decimal_of, serialize_optional};
+use rug::Float;
+use serde::Serialize;
+
+#[derive(Serialize)]
+struct Document<'a> {
+    volver: &'static str,
+    references: Vec<Object<'a>>,
+}
+
+#[derive(Serialize)]
+struct Object<'a> {
+    name: &'a str,
+    channel: Option<&'a str>,
+    radiance: String,
+    asked: u32,
+    believed: Option<u32>,
+    #[serde(serialize_with = "serialize_float")]
+    error: Float,
+    source: &'static str,
+    panels: u64,
+    points: u64,
+    evaluations: u64,
+    transcendental_calls: u64,
+    #[serde(serialize_with = "serialize_optional")]
+    difference: Option<Float>,
+}
+
+/// All channels, indented, with a newline at the end.
+///
+/// # Errors
+/// [`ReportError::Json`], which no value is known to cause.
+pub fn json(found: &[Found<'_>], digits: u32) -> Result<String, ReportError> {
+    let document = Document {
+        volver: env!("CARGO_PKG_VERSION"),
+        references: found.iter().map(|found| object(found, digits)).collect(),
+    };
+    Ok(serde_json::to_string_pretty(&document)? + "\n")
+}
+
+fn object<'a>(found: &'a Found<'_>, digits: u32) -> Object<'a> {
+    let reference = &found.reference;
+    Object {
+        name: found.case.case.name(),
+        channel: found.case.channel.as_deref(),
+        radiance: decimal_of(&reference.value, digits as usize),
+        asked: digits,
+        believed: reference.digits(),
+        error: reference.error.clone(),
+        source: source(reference.source),
+        panels: reference.work.panels,
+        points: reference.work.points,
+        evaluations: reference.work.evaluations,
+        transcendental_calls: reference.work.transcendental_calls,
+        difference: found.difference.as_ref().map(|d| d.amount.clone()),
+    }
+}

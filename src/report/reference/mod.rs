@@ -1,0 +1,83 @@
+//! Radiances to any number of digits.
+
+mod json;
+
+pub use json::json;
+
+use super::cases::{decimal, decimal_of};
+use crate::case::Case;
+use crate::case::manufacture::Manufactured;
+use crate::document::{About, Block, Document, Fact, Section, Tone};
+use crate::reference::{Reference, Source};
+use rug::Float;
+
+/// What was found of a channel.
+#[derive(Clone, Debug)]
+pub struct Found<'c> {
+    /// The channel.
+    pub case: &'c Manufactured,
+    /// Its radiance.
+    pub reference: Reference,
+    /// |spectral − closed form|, where both were asked for and exist.
+    pub difference: Option<Difference>,
+}
+
+/// How far the oracle is from a closed form.
+#[derive(Clone, Debug)]
+pub struct Difference {
+    /// So far.
+    pub amount: Float,
+    /// Whether that is no more than both errors.
+    pub is_within_errors: bool,
+}
+
+/// A section a channel, all `digits` of its value on one line.
+#[must_use]
+pub fn document(found: &[Found<'_>], digits: u32, about: &About) -> Document {
+    let mut document = Document::new("reference", "Radiance to many digits", about.clone());
+    document.sections = found.iter().map(|found| section(found, digits)).collect();
+    document
+}
+
+fn section(found: &Found<'_>, digits: u32) -> Section {
+    let reference = &found.reference;
+    let value = decimal_of(&reference.value, digits as usize);
+    let believed = match reference.digits() {
+        Some(believed) => format!("{digits} asked for, {believed} believed"),
+        None => "exact".into(),
+    };
+    let mut facts = vec![
+        Fact::new("I(D)", value),
+        Fact::new("digits", believed),
+        Fact::new("source", source(reference.source)),
+    ];
+    if reference.source == Source::Spectral {
+        let work = &reference.work;
+        let grid = format!("{} panels, {} points", work.panels, work.points);
+        let work = format!(
+            "{} evaluations of the medium, {} transcendental functions",
+            work.evaluations, work.transcendental_calls
+        );
+        facts.extend([Fact::new("grid", grid), Fact::new("work", work)]);
+    }
+    if let Some(difference) = &found.difference {
+        let (verdict, tone) = if difference.is_within_errors {
+            ("within", Tone::Good)
+        } else {
+            ("beyond", Tone::Bad)
+        };
+        let amount = decimal(&difference.amount);
+        let words = format!("{amount} to the closed form, {verdict} the estimated error");
+        facts.push(Fact::new("difference", words).toned(tone));
+    }
+    let name = found.case.case.name();
+    Section::of(name, name, [Block::Facts(facts)])
+}
+
+/// What a source is called.
+fn source(source: Source) -> &'static str {
+    match source {
+        Source::ClosedForm => "closed form",
+        Source::Spectral => "spectral",
+    }
+}

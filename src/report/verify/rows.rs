@@ -1,0 +1,89 @@
+//! Rows for a terminal, as they come: columns are as wide as they may have to be.
+
+use super::tone;
+use super::words::{bars, failure, failures, floor, order, sign, theory, window};
+use crate::document::{Cell, Column, Finding, Table, Tone};
+use crate::render::terminal;
+use crate::study::verify::{Line, Standing};
+
+/// Levels of which errors are shown.
+const BARS: usize = 8;
+/// Failures shown of one channel.
+const FAILURES: usize = 2;
+
+/// With the longest name and the longest verdict they fill 80 columns.
+fn table() -> Table {
+    let columns = [
+        ("", 1),
+        ("case", 22),
+        ("order", 5),
+        ("measured", 11),
+        ("window", 8),
+        ("floor", 5),
+        ("errors", BARS),
+        ("verdict", 13),
+    ];
+    Table::new(
+        "",
+        columns.map(|(title, width)| Column::text(title).wide(width)),
+    )
+}
+
+/// The names of the columns, above the first [`row`].
+#[must_use]
+pub fn heading(width: usize, color: bool) -> String {
+    terminal::heading(&table(), width, color)
+}
+
+/// One channel: the order promised and measured, the window, the floor, the errors as bars, the verdict; failures below.
+#[must_use]
+pub fn row(line: &Line, width: usize, color: bool) -> String {
+    let tone = tone(line.standing);
+    let verdict = match line.standing {
+        Standing::Failed => "failed",
+        _ => line.measured.verdict().name(),
+    };
+    let cells = [
+        Cell::verdict(sign(line.standing), tone),
+        Cell::text(&line.name),
+        Cell::text(theory(line.expected)),
+        Cell::text(order(line).replace(" ± ", "±")),
+        Cell::text(window(line)),
+        Cell::text(floor(line)),
+        Cell::text(thinned(&bars(line))),
+        Cell::verdict(verdict, tone),
+    ];
+    let mut text = terminal::row(&table(), &cells, width, color);
+    for words in trouble(line) {
+        let finding = Finding::new("", words).toned(Tone::Open);
+        text += &terminal::below(&finding, width, color);
+    }
+    text
+}
+
+/// What stands below a row.
+fn trouble(line: &Line) -> Vec<String> {
+    let groups = failures(line);
+    let mut shown: Vec<String> = groups.iter().take(FAILURES).map(failure).collect();
+    let left = groups.iter().skip(FAILURES);
+    match left.map(|(levels, _)| levels.len()).sum() {
+        0 => {}
+        1 => shown.push("and 1 level more".into()),
+        left => shown.push(format!("and {left} levels more")),
+    }
+    if !line.steady {
+        shown.push("two answers to the coarsest level differ".into());
+    }
+    shown
+}
+
+/// As many bars as there is room for, evenly over the levels and with the finest.
+fn thinned(bars: &str) -> String {
+    let count = bars.chars().count();
+    let every = count.div_ceil(BARS).max(1);
+    let kept = |index: &usize| (count - 1 - index).is_multiple_of(every);
+    let bars = bars.chars().enumerate();
+    bars.filter(|(index, _)| kept(index))
+        .map(|(_, bar)| bar)
+        .collect()
+}

@@ -1,0 +1,7 @@
+//! Cases: their files, their derivation, and what holds of every one.
+
+mod closed_forms;
+mod file;
+mod manufacture;
+mod nodes;
+mod random;

@@ -1,0 +1,108 @@
+//! Verification as a library, on kernels that are right in one way and wrong in another.
+
+mod baseline;
+mod quantum;
+mod said;
+mod stochastic;
+mod volume;
+mod wall;
+
+use volver::case::catalogue;
+use volver::case::manufacture::manufacture;
+use volver::convergence::{Ladder, Sample};
+use volver::kernel::{Declaration, Kernel, Segments, Subject};
+use volver::study::Silent;
+use volver::study::verify::{Line, Measured, Settings, Standing, Verification, verify};
+
+/// Smooth cases in which nothing hides an error: thin and thick, short and long, with one channel and three.
+const SMOOTH: [&str; 8] = [
+    "cloud",
+    "decaying-field",
+    "emission-bump",
+    "hyperbolic-tangent",
+    "linear-transfer",
+    "rgb-transfer",
+    "sine-squared",
+    "thick",
+];
+
+fn subjects(names: &[&str]) -> Vec<Subject> {
+    let subject = |name: &&str| {
+        let description = catalogue::find(name).expect("in the catalogue").unwrap();
+        let channels = manufacture(&description).unwrap();
+        let channels = channels.into_iter().map(|c| (c.channel, c.case)).collect();
+        Subject::new(name, channels).unwrap()
+    };
+    names.iter().map(subject).collect()
+}
+
+fn settings(ladder: &str) -> Settings {
+    let ladder: Ladder = ladder.parse().expect("a ladder");
+    Settings::new(&ladder).unwrap()
+}
+
+fn run(kernel: &mut dyn Kernel, subjects: &[Subject], settings: &Settings) -> Verification {
+    verify(kernel, subjects, settings, &Silent, &mut |_| ()).unwrap()
+}
+
+/// A deterministic kernel in binary64 that means to be a method.
+fn declared(method: &str) -> Declaration {
+    Declaration {
+        method: Some(method.parse().expect("a method")),
+        ..Declaration::new("under test")
+    }
+}
+
+/// Front to back, of (τ, C, length) of every sample.
+fn composite(samples: impl IntoIterator<Item = (f64, f64, f64)>) -> f64 {
+    let (mut radiance, mut transmittance) = (0.0, 1.0);
+    for (extinction, emission, length) in samples {
+        let alpha = -(-extinction * length).exp_m1();
+        radiance += transmittance * alpha * emission;
+        transmittance *= 1.0 - alpha;
+    }
+    radiance
+}
+
+/// (τ, C, length) in the front of every segment.
+fn front(segments: &Segments, channel: usize) -> Vec<(f64, f64, f64)> {
+    let edges = &segments.edges;
+    let values = edges.extinction.iter().zip(&edges.emission[channel]);
+    let both = values.zip(segments.lengths());
+    both.map(|((t, c), length)| (*t, *c, length)).collect()
+}
+
+/// Errors and steps that orders are fitted to.
+fn samples(line: &Line) -> &[Sample] {
+    match &line.measured {
+        Measured::Fitted { samples, .. } => samples,
+        other => panic!("{}: {other:?}", line.name),
+    }
+}
+
+/// Lines that stand so, in parts of all.
+fn part(verification: &Verification, standing: Standing) -> f64 {
+    let lines = &verification.lines;
+    let these = lines.iter().filter(|line| line.standing == standing);
+    these.count() as f64 / lines.len() as f64
+}
+
+/// What a failing test shows.
+fn shown(verification: &Verification) -> String {
+    let line = |line: &Line| {
+        let (name, standing) = (&line.name, line.standing);
+        let verdict = line.measured.verdict();
+        let order = line.measured.order();
+        format!(
+            "{name} {standing} {verdict} {order:?} of {:?}\n",
+            line.expected
+        )
+    };
+    let lines: String = verification.lines.iter().map(line).collect();
+    let best = verification
+        .fingerprint
+        .as_ref()
+        .and_then(|f| f.best.as_ref());
+    let best = best.map(|best| format!("{} {} of {}", best.model, best.agrees.len(), best.of));
+    format!("{lines}{best:?} {:?}", verification.findings)
+}

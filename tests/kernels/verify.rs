@@ -1,0 +1,11 @@
+//! `volver verify` and `volver check` keep their contract, whatever kernel they are given.
+
+mod baseline;
+mod help;
+mod kernels;
+mod outputs;
+mod promises;
+mod run;
+mod signals;
+mod trouble;
+mod usage;

@@ -1,0 +1,147 @@
+//! Kernels that are what they say, and kernels that are not.
+
+use super::run::{Run, fixture, in_repository, junit, verify, volver};
+use serde_json::Value;
+use std::fs;
+use std::process::Command;
+
+const MIDDLE: &str = "the values are those of: middle samples, 1 - exp(-τd): agrees to ";
+
+/// Good, with that fingerprint.
+fn assert_confirmed(run: Run, fingerprint: &str) {
+    let run = run.with_code(0);
+    run.shows(fingerprint);
+    run.shows(" digits in 3 of 3 channels");
+    let last = run.out.lines().last().unwrap();
+    assert_eq!(
+        last,
+        "confirmed: 3 confirmed, 0 contradicted, 0 inconclusive, 0 blind of 3 channels"
+    );
+    run.hides("defect:");
+    run.hides("that is not what it declares");
+    for case in ["sine-squared", "thick", "cloud"] {
+        assert!(run.row(case).starts_with("✓ "), "{}", run.out);
+    }
+}
+
+#[test]
+fn methods_of_volver_are_what_they_say() {
+    for format in ["", "@f32", "@mpfr:100"] {
+        let kernel = format!("method:front-to-back/middle/expm1{format}");
+        assert_confirmed(verify(&[], &[&kernel]), MIDDLE);
+    }
+    assert_confirmed(
+        verify(&[], &["method:trapezoid/trapezoid"]),
+        "the values are those of: trapezoid rules for depth and radiance",
+    );
+}
+
+#[test]
+fn a_seed_behind_an_at_is_no_format() {
+    for (kernel, format) in [
+        ("method:monte-carlo@7/trapezoid", "f64"),
+        ("method:monte-carlo@7/trapezoid@f32", "f32"),
+    ] {
+        let options = ["--replicas", "8", "--ladder", "8..32", "--json", "-"];
+        let cases = ["verify", "--cases", "sine-squared"];
+        let run = volver(&[&cases[..], &options, &[kernel]].concat());
+        assert_eq!(run.err, "", "{kernel}");
+        let declared = &run.json()["kernel"];
+        assert_eq!(declared["method"], "monte-carlo@7/trapezoid");
+        assert_eq!(declared["format"], format);
+    }
+}
+
+#[test]
+fn nerf_is_what_it_says_from_python() {
+    let script = in_repository("examples/kernels/nerf.py");
+    let middle = ["python3", &script, "--sampling", "middle"];
+    assert_confirmed(verify(&[], &middle), MIDDLE);
+    let front = verify(&[], &["python3", &script]).with_code(0);
+    front.shows("the values are those of: front samples, 1 - exp(-τd): agrees to ");
+    assert!(front.row("cloud").starts_with("· "), "{}", front.out);
+    front.shows("blind: the case hides the leading error of what was declared");
+}
+
+#[test]
+fn the_example_in_c_is_what_it_says_as_a_library_and_as_a_program() {
+    let folder = tempfile::tempdir().unwrap();
+    let source = in_repository("examples/kernels/front_to_back.c");
+    for (file, options) in [
+        ("kernel.so", &["-shared", "-fPIC"][..]),
+        ("kernel", &["-DVOLVER_PROCESS"]),
+    ] {
+        let path = folder.path().join(file);
+        let compiler = Command::new("cc")
+            .args(["-std=c99", "-O2", "-I", &in_repository("include")])
+            .args(options)
+            .arg(&source)
+            .arg("-o")
+            .arg(&path)
+            .arg("-lm")
+            .status();
+        let Ok(status) = compiler else {
+            eprintln!("skipped: there is no compiler cc on the PATH");
+            return;
+        };
+        assert!(status.success());
+        assert_confirmed(verify(&[], &[path.to_str().unwrap()]), MIDDLE);
+    }
+}
+
+#[test]
+fn what_stands_behind_a_program_is_the_programs() {
+    // The fixture has no option --quiet and ends with code 2, the usage on its standard error.
+    let run = fixture(&[], &["--quiet"]).with_code(2);
+    assert!(
+        run.err.contains("unrecognized arguments: --quiet"),
+        "{}",
+        run.err
+    );
+}
+
+/// A report of every kind says each of `words`, and that nothing is confirmed.
+fn assert_named(kernel: &[&str], words: &[&str]) {
+    let folder = tempfile::tempdir().unwrap();
+    let out = folder.path().join("report");
+    let run = fixture(&["--out", out.to_str().unwrap()], kernel).with_code(1);
+    assert!(run.out.contains("\nnot confirmed: "), "{}", run.out);
+    let read = |name: &str| fs::read_to_string(out.join(name)).unwrap();
+    let document: Value = serde_json::from_str(&read("verify.json")).unwrap();
+    assert_eq!(document["conclusion"], "not confirmed");
+    let json = document.to_string();
+    // Signs that are Markdown's stand behind a backslash.
+    let markdown = read("verify.md").replace('\\', "");
+    assert!(markdown.contains("**not confirmed: "), "{markdown}");
+    let found = junit(&read("verify.xml"));
+    assert!(found["found"][1].as_u64().unwrap() > 0, "{found}");
+    for words in words {
+        run.shows(words);
+        for text in [&json, &markdown, &found["says"].to_string()] {
+            assert!(text.contains(words), "{words}\nis not in\n{text}");
+        }
+    }
+}
+
+#[test]
+fn samples_at_the_front_declared_as_middles_are_named_everywhere() {
+    assert_named(&["--sampling", "front"], &["front samples, 1 - exp(-τd)"]);
+    let run = fixture(&["--json", "-"], &["--sampling", "front"]).with_code(1);
+    let found = &run.json()["fingerprint"];
+    assert_eq!(found["contradicts_declaration"], true);
+    assert_eq!((&found["agrees"], &found["of"]), (&3.into(), &3.into()));
+}
+
+#[test]
+fn a_last_sample_that_is_dropped_is_named_everywhere() {
+    assert_named(
+        &["--drop-last"],
+        &["middle samples, 1 - exp(-τd), last sample missing"],
+    );
+}
+
+#[test]
+fn answers_that_differ_from_run_to_run_are_named_everywhere() {
+    let defect = "answers differ from run to run, and the kernel is said to be deterministic";
+    assert_named(&["--unsteady"], &[defect]);
+}

@@ -1,0 +1,102 @@
+//! Whatever ends volver ends the kernel.
+
+use super::run::{Marked, SHORT, eventually};
+use assert_cmd::cargo::cargo_bin;
+use rustix::process::{Pid, Signal, kill_process};
+use std::path::Path;
+use std::process::{Child, Command, Stdio};
+use std::time::{Duration, Instant};
+use tempfile::TempDir;
+
+/// volver with a kernel that hangs at 32 segments, in the middle of that request.
+struct Hanging {
+    marked: Marked,
+    child: Child,
+    _folder: TempDir,
+}
+
+impl Hanging {
+    fn start(subcommand: &[&str], timeout: &str) -> Hanging {
+        let folder = tempfile::tempdir().unwrap();
+        let sign = folder.path().join("sign");
+        let marked = Marked::new();
+        let options = [
+            "--trouble",
+            "hangs",
+            "--at",
+            "32",
+            "--sign",
+            sign.to_str().unwrap(),
+        ];
+        let child = Command::new(cargo_bin!("volver"))
+            .args(subcommand)
+            .args(["--timeout", timeout])
+            .args(marked.kernel(&options))
+            .stdout(Stdio::piped())
+            .stderr(Stdio::piped())
+            .spawn()
+            .unwrap();
+        eventually(|| Path::exists(&sign));
+        assert!(marked.living() >= 2);
+        Hanging {
+            marked,
+            child,
+            _folder: folder,
+        }
+    }
+
+    fn send(&self, signal: Signal) {
+        let id = i32::try_from(self.child.id()).unwrap();
+        kill_process(Pid::from_raw(id).unwrap(), signal).unwrap();
+    }
+}
+
+fn verify() -> Vec<&'static str> {
+    [&["verify"], &SHORT[..]].concat()
+}
+
+#[test]
+fn signals_leave_no_process() {
+    for signal in [Signal::INT, Signal::TERM, Signal::HUP] {
+        let hanging = Hanging::start(&verify(), "600");
+        let start = Instant::now();
+        hanging.send(signal);
+        let Hanging { marked, child, .. } = hanging;
+        let output = child.wait_with_output().unwrap();
+        assert_eq!(output.status.code(), Some(130), "{signal:?}");
+        assert!(start.elapsed() < Duration::from_secs(10));
+        assert_eq!(String::from_utf8_lossy(&output.stderr), "");
+        marked.assert_gone();
+    }
+}
+
+#[test]
+fn a_killed_volver_leaves_no_kernel_that_listens() {
+    // Nobody can answer SIGKILL; the kernel reads the end of its requests, unless it hangs.
+    let folder = tempfile::tempdir().unwrap();
+    let sign = folder.path().join("sign");
+    let marked = Marked::new();
+    let options = ["--trouble", "prints", "--sign", sign.to_str().unwrap()];
+    let mut child = Command::new(cargo_bin!("volver"))
+        .args(["verify", "--quiet"])
+        .args(marked.kernel(&options))
+        .spawn()
+        .unwrap();
+    eventually(|| sign.exists());
+    child.kill().unwrap();
+    child.wait().unwrap();
+    marked.assert_gone();
+}
+
+#[test]
+fn a_closed_standard_output_leaves_no_process() {
+    let mut hanging = Hanging::start(&verify(), "0.5");
+    drop(hanging.child.stdout.take());
+    let Hanging { marked, child, .. } = hanging;
+    let output = child.wait_with_output().unwrap();
+    assert_eq!(output.status.code(), Some(2));
+    let said = String::from_utf8(output.stderr).unwrap();
+    assert!(said.starts_with("volver: standard output: "), "{said}");
+    assert_eq!(said.lines().count(), 1, "{said}");
+    marked.assert_gone();
+}
