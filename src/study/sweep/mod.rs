@@ -7,16 +7,12 @@
 mod between;
 mod estimate;
 mod file;
-#[cfg(test)]
-pub(crate) mod fixture;
 mod journal;
 mod number;
 mod record;
 mod results;
 mod run;
 mod summary;
-#[cfg(test)]
-mod tests;
 
 pub use between::between;
 pub use estimate::Estimate;

@@ -7,10 +7,10 @@ use super::{Estimate, Sweep, between};
 use crate::case::{Shared, SymbolicCase};
 use crate::convergence::{Cell, Oracle};
 use crate::method::{MethodError, expected_on};
+use crate::parallel;
 use crate::real::{Format, FormatName, WithFormat};
 use crate::reference::ReferenceError;
 use crate::study::Progress;
-use rayon::prelude::*;
 use rug::Float;
 use rug::float::Special;
 use std::collections::VecDeque;
@@ -156,17 +156,37 @@ impl WithFormat for OneUnit<'_, '_> {
     type Output = Unit;
 
     fn run<F: Format>(self, format: F) -> Unit {
-        let case = self.oracle.case();
-        let nodes = Shared::new(case, format);
+        let nodes = Shared::new(self.oracle.case(), format);
+        let rows = self.rows(&|n| self.oracle.split(&nodes, n));
+        let radiance = self.oracle.radiance(RADIANCE_BITS);
+        Unit {
+            case: self.name.into(),
+            format: self.format.to_string(),
+            bits: format.bits(),
+            radiance: number::rounded(
+                &radiance.unwrap_or_else(|_| Float::with_val(RADIANCE_BITS, Special::Nan)),
+            ),
+            rows,
+            evaluations: nodes.evaluations(),
+        }
+    }
+}
+
+/// All methods at one level.
+type Cells = Result<Vec<Result<Cell, MethodError>>, ReferenceError>;
+
+impl OneUnit<'_, '_> {
+    /// The records of all methods; `split` gives their cells at a level.
+    fn rows(&self, split: &(dyn Fn(u64) -> Cells + Sync)) -> Vec<Row> {
         let at = |&n: &u64| {
-            let cells = self.oracle.split(&nodes, n);
+            let cells = split(n);
             self.progress
                 .advance(Estimate::work(self.sweep, self.format, n));
             records(n, cells, self.sweep.methods.len())
         };
         let all = |levels: &[u64]| -> Vec<Vec<LevelRecord>> {
             if self.levels_in_parallel {
-                levels.par_iter().map(at).collect()
+                parallel::map(levels, at)
             } else {
                 levels.iter().map(at).collect()
             }
@@ -176,37 +196,20 @@ impl WithFormat for OneUnit<'_, '_> {
         let of = |levels: &[Vec<LevelRecord>], m: usize| {
             levels.iter().map(|level| level[m].clone()).collect()
         };
-        let radiance = self.oracle.radiance(RADIANCE_BITS);
-        let rows = self
-            .sweep
-            .methods
-            .iter()
-            .enumerate()
-            .map(|(m, method)| Row {
-                method: method.name(),
-                expected: expected_on(method, case, &self.sweep.levels).into(),
-                levels: of(&levels, m),
-                between: of(&between, m),
-            });
-        Unit {
-            case: self.name.into(),
-            format: self.format.to_string(),
-            bits: format.bits(),
-            radiance: number::rounded(
-                &radiance.unwrap_or_else(|_| Float::with_val(RADIANCE_BITS, Special::Nan)),
-            ),
-            rows: rows.collect(),
-            evaluations: nodes.evaluations(),
-        }
+        let case = self.oracle.case();
+        let methods = self.sweep.methods.iter().enumerate();
+        let rows = methods.map(|(m, method)| Row {
+            method: method.name(),
+            expected: expected_on(method, case, &self.sweep.levels).into(),
+            levels: of(&levels, m),
+            between: of(&between, m),
+        });
+        rows.collect()
     }
 }
 
 /// The records of all methods at one level.
-fn records(
-    n: u64,
-    cells: Result<Vec<Result<Cell, MethodError>>, ReferenceError>,
-    methods: usize,
-) -> Vec<LevelRecord> {
+fn records(n: u64, cells: Cells, methods: usize) -> Vec<LevelRecord> {
     match cells {
         Ok(cells) => cells
             .into_iter()

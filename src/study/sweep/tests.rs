@@ -1,5 +1,0 @@
-mod estimate;
-mod file;
-mod journal;
-mod run;
-mod summary;
