@@ -221,6 +221,13 @@ fn a_directory_gets_everything_twice_the_same() {
             "index.html"
         ]
     );
+    // n* and the least error beside the line; a map with a cell a level and format.
+    assert!(
+        before[0].contains("n* = 362") && before[0].contains("best 2.9e-6"),
+        "{}",
+        before[0]
+    );
+    assert!(before[1].matches("<rect").count() > 30 && before[1].contains("correct digits"));
 }
 
 #[test]
