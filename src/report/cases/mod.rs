@@ -54,35 +54,32 @@ pub fn document(derived: &Derived, derivation: bool, about: &About) -> Document 
         facts.push(Fact::new("tags", description.tags.join(", ")));
     }
     facts.extend(derived.cases.first().into_iter().flat_map(shared));
-    let section = |title: String, blocks| Section::of(&title, &title, blocks);
-    let heading = document.title.clone();
-    if let [case] = &derived.cases[..] {
+    let section = |title: &str, blocks| Section::of(title, title, blocks);
+    let is_alone = derived.cases.len() == 1;
+    let mut sections = Vec::new();
+    if !is_alone {
+        let facts = Block::Facts(std::mem::take(&mut facts));
+        sections.push(section(&document.title, vec![facts]));
+    }
+    for case in &derived.cases {
+        let (title, of) = match &case.channel {
+            Some(channel) if !is_alone => (format!("channel {channel}"), format!(" of {channel}")),
+            _ => (document.title.clone(), String::new()),
+        };
         facts.extend(of_channel(case));
-        document.sections = vec![
-            section(heading, with_warning(facts, case)),
-            section("checks".into(), vec![checks(case)]),
-            section("orders".into(), vec![expected(case)]),
-        ];
-    } else {
-        document.sections = vec![section(heading, vec![Block::Facts(facts)])];
-        document
-            .sections
-            .extend(derived.cases.iter().flat_map(|case| {
-                let name = case.channel.as_deref().unwrap_or_default();
-                let facts = of_channel(case);
-                [
-                    section(format!("channel {name}"), with_warning(facts, case)),
-                    section(format!("checks of {name}"), vec![checks(case)]),
-                    section(format!("orders of {name}"), vec![expected(case)]),
-                ]
-            }));
+        let mut blocks = vec![Block::Facts(std::mem::take(&mut facts))];
+        blocks.extend(warning(case).map(Block::Finding));
+        sections.extend([
+            section(&title, blocks),
+            section(&format!("checks{of}"), vec![Block::Table(checks(case))]),
+            section(&format!("orders{of}"), vec![Block::Table(expected(case))]),
+        ]);
     }
     if derivation && !description.derivation.trim().is_empty() {
         let lines = Block::Lines(description.derivation.clone());
-        document
-            .sections
-            .push(section("derivation".into(), vec![lines]));
+        sections.push(section("derivation", vec![lines]));
     }
+    document.sections = sections;
     document
 }
 
@@ -149,14 +146,8 @@ fn of_channel(case: &Manufactured) -> Vec<Fact> {
     facts
 }
 
-fn with_warning(facts: Vec<Fact>, case: &Manufactured) -> Vec<Block> {
-    let warning = warning(case).map(|words| Finding::new("warning", words).toned(Tone::Open));
-    let facts = std::iter::once(Block::Facts(facts));
-    facts.chain(warning.map(Block::Finding)).collect()
-}
-
 /// What was checked, and what came of it.
-fn checks(case: &Manufactured) -> Block {
+fn checks(case: &Manufactured) -> Table {
     let columns = [Column::text("check"), Column::verdict("outcome")];
     let rows = case.checks.iter().map(|check| {
         let tone = match check.outcome {
@@ -169,11 +160,11 @@ fn checks(case: &Manufactured) -> Block {
             Cell::verdict(outcome, tone),
         ]
     });
-    Block::Table(Table::new("What was checked on the whole ray", columns).with(rows))
+    Table::new("What was checked on the whole ray", columns).with(rows)
 }
 
 /// What theory expects, and the theorems behind that.
-fn expected(case: &Manufactured) -> Block {
+fn expected(case: &Manufactured) -> Table {
     let columns = [
         Column::text("method"),
         Column::text("order"),
@@ -186,7 +177,7 @@ fn expected(case: &Manufactured) -> Block {
             Cell::text(order.theorem.unwrap_or("no theorem")),
         ]
     });
-    Block::Table(Table::new("Orders that theory expects", columns).with(rows))
+    Table::new("Orders that theory expects", columns).with(rows)
 }
 
 fn breaks(case: &Manufactured) -> Vec<Fact> {
@@ -248,13 +239,14 @@ fn notes(case: &Manufactured) -> Vec<String> {
 }
 
 /// C < 0 somewhere.
-fn warning(case: &Manufactured) -> Option<String> {
+fn warning(case: &Manufactured) -> Option<Finding> {
     case.checks.iter().find_map(|check| match &check.outcome {
         Outcome::Refuted { witness, .. } if check.statement == Statement::EmissionNonNegative => {
-            Some(format!(
+            let words = format!(
                 "C >= 0 fails at lambda = {}: an analytic case may, a kernel test will refuse it",
                 value::rational(witness)
-            ))
+            );
+            Some(Finding::new("warning", words).toned(Tone::Open))
         }
         _ => None,
     })
