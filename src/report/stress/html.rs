@@ -50,7 +50,9 @@ fn table(grid: &Grid<'_>, method: &str) -> Table {
     let formats = grid.formats.iter().map(|format| Column::number(*format));
     let first = Column::text("scenario");
     let mut table = Table::new(
-        "Digits of the method's own value and of the exact radiance, or what befell the run",
+        format!(
+            "{method}: digits of its own value and of the exact radiance, or what befell the run"
+        ),
         std::iter::once(first).chain(formats),
     );
     for scenario in &grid.scenarios {
