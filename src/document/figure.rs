@@ -247,7 +247,8 @@ impl Point {
     }
 }
 
-/// A line without points: a model, a floor, a fitted slope, a function. Beside points it widens no axis.
+/// A line without points: a model, a floor, a fitted slope, a function. Beside points it widens an axis by a decade at
+/// most.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Trace {
     /// How it is drawn.

@@ -239,7 +239,7 @@ fn values_at_the_far_end_are_written_short() {
         "{}",
         plots[4].title
     );
-    let plots = case("name = \"a\"\nlength = 1\ndepth = \"0\"\nradiance = \"0\"");
+    let plots = case(catalogue::text("vacuum").unwrap());
     assert!(
         plots[3].title.ends_with("; T(D) = 1.0000"),
         "{}",

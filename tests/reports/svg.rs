@@ -125,29 +125,30 @@ fn texts(svg: &str) -> Vec<String> {
     elements.map(|element| element.text).collect()
 }
 
+/// The decimal logarithm of "200", "10⁻¹²" or "5·10⁻⁷".
+fn log10(label: &str) -> f64 {
+    let (factor, power) = label.split_once('·').unwrap_or(("1", label));
+    let raised = |c: char| "⁰¹²³⁴⁵⁶⁷⁸⁹".chars().position(|raised| raised == c);
+    let digit = |c| raised(c).map_or("-".into(), |digit| digit.to_string());
+    match power.strip_prefix("10").filter(|_| !power.is_ascii()) {
+        Some(exponent) => {
+            let exponent: String = exponent.chars().map(digit).collect();
+            factor.parse::<f64>().unwrap().log10() + exponent.parse::<f64>().unwrap()
+        }
+        None => label.parse::<f64>().unwrap().log10(),
+    }
+}
+
 /// Ticks of an axis as decimal logarithm and pixel.
 fn ticks(svg: &str, axis: &'static str) -> Vec<(f64, f64)> {
-    let raised = |c: char| "⁰¹²³⁴⁵⁶⁷⁸⁹".chars().position(|raised| raised == c);
     let elements = read(svg);
     let of = |element: &&Element| {
-        let exponent: Option<String> = element
-            .text
-            .strip_prefix("10")
-            .filter(|rest| !rest.is_empty())
-            .map(|rest| {
-                let digit = |c| raised(c).map_or("-".into(), |digit| digit.to_string());
-                rest.chars().map(digit).collect()
-            });
-        let log = match exponent {
-            Some(exponent) if !element.text.is_ascii() => exponent.parse().unwrap(),
-            _ => element.text.parse::<f64>().unwrap().log10(),
-        };
         let from = if axis == "x" {
             element.from.0
         } else {
             element.from.1
         };
-        (log, element.number(axis) + from)
+        (log10(&element.text), element.number(axis) + from)
     };
     all(&elements, "text", axis).iter().map(of).collect()
 }
@@ -373,42 +374,64 @@ fn labels_do_not_touch() {
     );
 }
 
-#[test]
-fn legends_wrap_within_their_panel() {
+/// A drawing with so many series, and its frame, and where the names of the series begin.
+fn legend(count: usize) -> (f64, (f64, f64), Vec<(f64, f64)>) {
     let mut plot = Plot::new("p", Axis::log("n"), Axis::log("e"));
-    let names: Vec<String> = (0..9)
+    let names: Vec<String> = (0..count)
         .map(|k| format!("a method with a long name {k}"))
         .collect();
-    for name in &names {
-        plot.series
-            .push(Series::line(name, [Point::new(0.0, 0.0, "a")]));
-    }
+    let series = names
+        .iter()
+        .map(|name| Series::line(name, [Point::new(0.0, 0.0, "a")]));
+    plot.series.extend(series);
     let elements = read(&svg::figure(&Figure::new("", "f", [plot])));
-    let width: f64 = elements[0]
-        .attribute("viewBox")
-        .unwrap()
-        .split(' ')
-        .nth(2)
-        .unwrap()
-        .parse()
-        .unwrap();
-    let mut places: Vec<(f64, f64)> = Vec::new();
-    for name in &names {
-        let text = elements.iter().find(|e| e.text == *name).unwrap();
-        let (x, y) = (text.number("x"), text.number("y"));
-        assert!(x + 6.0 * name.len() as f64 <= width, "{name}");
-        let is_free =
-            |other: &(f64, f64)| (other.1 - y).abs() > 11.0 || (other.0 - x).abs() > 150.0;
-        assert!(places.iter().all(is_free), "{name}");
-        places.push((x, y));
-    }
-    // Below them the axes.
+    let view = elements[0].attribute("viewBox").unwrap();
     let frame = all(&elements, "rect", "frame")[0];
-    assert!(
-        places
+    let place = |name: &String| {
+        let text = elements
             .iter()
-            .all(|place| place.1 < frame.number("y") + frame.from.1)
-    );
+            .find(|element| element.text == *name)
+            .unwrap();
+        (text.number("x"), text.number("y"))
+    };
+    let right = frame.number("x") + frame.number("width") + frame.from.0;
+    (
+        view.split(' ').nth(2).unwrap().parse().unwrap(),
+        (right, frame.number("y") + frame.from.1),
+        names.iter().map(place).collect(),
+    )
+}
+
+#[test]
+fn legends_wrap_above_their_panel_and_long_ones_stand_beside_it() {
+    for count in [8, 30] {
+        let (width, (right, top), places) = legend(count);
+        for (index, (x, y)) in places.iter().enumerate() {
+            assert!(x + 6.0 * 27.0 <= width);
+            let is_free =
+                |other: &(f64, f64)| (other.1 - y).abs() > 12.0 || (other.0 - x).abs() > 160.0;
+            assert!(places[..index].iter().all(is_free), "{places:?}");
+            assert!(if count == 8 { *y < top } else { *x > right });
+        }
+    }
+}
+
+#[test]
+fn letters_beside_marks_make_room_for_each_other() {
+    let mut plot = Plot::new("p", Axis::log("n"), Axis::log("e"));
+    let points = (0..9).map(|k| Point::new(f64::from(k) / 90.0, 0.0, "a").tagged(k.to_string()));
+    plot.series.push(Series::marks("front", points));
+    let elements = read(&svg::figure(&Figure::new("", "f", [plot])));
+    let places: Vec<(f64, f64)> = all(&elements, "text", "tag")
+        .iter()
+        .map(|e| (e.number("x"), e.number("y")))
+        .collect();
+    assert_eq!(places.len(), 9);
+    for (index, (x, y)) in places.iter().enumerate() {
+        let is_free =
+            |other: &(f64, f64)| (other.1 - y).abs() >= 12.0 || (other.0 - x).abs() >= 7.0;
+        assert!(places[..index].iter().all(is_free), "{places:?}");
+    }
 }
 
 #[test]

@@ -2,7 +2,7 @@
 
 use super::scale::Scale;
 use super::ticks::{Tick, power, ticks};
-use crate::document::{Axis, Guide, Plot};
+use crate::document::{Axis, Guide, Plot, Scale as Kind};
 use maud::{Markup, html};
 
 /// The size of a drawing; browsers scale it.
@@ -14,7 +14,9 @@ pub(super) const TOP: f64 = 10.0;
 pub(super) const RIGHT: f64 = 470.0;
 pub(super) const BOTTOM: f64 = 292.0;
 /// The width of a letter of a label, about: fonts are the reader's.
-pub(super) const LETTER: f64 = 7.2;
+pub(super) const LETTER: f64 = 7.0;
+/// Traces so many decades from the points have room.
+const NEAR: f64 = 1.0;
 
 /// The two scales of a plot.
 #[derive(Clone, Copy)]
@@ -24,23 +26,29 @@ pub(in crate::render) struct Scales {
 }
 
 impl Scales {
-    /// Room for all points, and for level lines; for traces only where there is no point. `None` where there is
-    /// nothing to draw.
+    /// Room for all points, for level lines, and for what traces have near them; for all of traces where there is no point.
+    /// `None` where there is nothing to draw.
     pub(in crate::render) fn new(plot: &Plot) -> Option<Self> {
-        let points = plot.series.iter().flat_map(|series| &series.points);
-        let mut places: Vec<(f64, f64)> = points.map(|point| (point.x, point.y)).collect();
-        places.retain(|(x, y)| x.is_finite() && y.is_finite());
-        if places.is_empty() {
-            let traces = plot.series.iter().flat_map(|series| &series.traces);
-            places = traces.flat_map(|trace| trace.points.clone()).collect();
-        }
+        let series = || plot.series.iter();
+        let is_placed = |(x, y): &(f64, f64)| x.is_finite() && y.is_finite();
+        let points = series().flat_map(|series| &series.points);
+        let points = points.map(|point| (point.x, point.y)).filter(is_placed);
+        let mut places: Vec<(f64, f64)> = points.collect();
+        let traces = series().flat_map(|series| &series.traces);
+        let traces: Vec<(f64, f64)> = traces.flat_map(|trace| trace.points.clone()).collect();
         let guides = |upright: bool| {
-            let wanted = plot
-                .guides
-                .iter()
-                .filter(move |guide| guide.upright == upright);
-            wanted.map(|guide| guide.at)
+            let all = plot.guides.iter();
+            all.filter(move |guide| guide.upright == upright)
+                .map(|guide| guide.at)
         };
+        if places.is_empty() {
+            places = traces;
+        } else if plot.y.scale == Kind::Log {
+            let heights = || places.iter().map(|(_, y)| *y);
+            let low = heights().fold(f64::INFINITY, f64::min) - NEAR;
+            let high = heights().fold(f64::NEG_INFINITY, f64::max) + NEAR;
+            places.extend(traces.iter().filter(|(_, y)| (low..=high).contains(y)));
+        }
         let xs = places.iter().map(|(x, _)| *x).chain(guides(true));
         let ys = places.iter().map(|(_, y)| *y).chain(guides(false));
         Some(Scales {

@@ -1,12 +1,14 @@
 //! Samples with their names, in lines that wrap.
 
-use super::sheet::{BODY, MARGIN, at, round};
+use super::sheet::{BODY, at, round};
 use crate::render::plot::{Entry, SAMPLE};
 use maud::{Markup, html};
 
 const LINE: f64 = 18.0;
 /// Between a sample and its name.
-const GAP: f64 = 6.0;
+const GAP: f64 = 4.0;
+/// Between a name and the next sample.
+const BETWEEN: f64 = 10.0;
 
 /// Entries in their places below a place, and the height that they take.
 pub(super) fn flow(entries: &[Entry], (left, top): (f64, f64), width: f64) -> (Markup, f64) {
@@ -18,7 +20,7 @@ pub(super) fn flow(entries: &[Entry], (left, top): (f64, f64), width: f64) -> (M
             (x, y) = (0.0, y + LINE);
         }
         places.push((left + x, top + y));
-        x += own + MARGIN;
+        x += own + BETWEEN;
     }
     let drawn = html! {
         @for (entry, place) in entries.iter().zip(places) {

@@ -7,7 +7,7 @@ use maud::{Markup, PreEscaped, html};
 /// Left free at all sides, and between parts.
 pub(super) const MARGIN: f64 = 14.0;
 /// Of a sans-serif letter, in em; a little wide, so that estimated widths are safe.
-const LETTER: f64 = 0.6;
+const LETTER: f64 = 0.56;
 
 /// What a file has beyond its plots.
 const OWN: &str = "text { fill: var(--text); font: 12px sans-serif; }

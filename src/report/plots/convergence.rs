@@ -1,8 +1,8 @@
 //! A set of samples with its fit as a plot.
 
-use super::{Level, key, legend, log10_abs, slope, trace};
+use super::{Level, curve, key, legend, log10_abs, slope, trace};
 use crate::convergence::{Fit, Sample};
-use crate::document::{Axis, Plot, Point, Series, Stroke};
+use crate::document::{Axis, Plot, Point, Stroke};
 
 const ERROR: &str = "|error|";
 
@@ -23,18 +23,13 @@ pub fn of_convergence(samples: &[Sample], fit: &Fit, title: &str) -> Plot {
         .map(|(index, sample)| level(sample).mark(&sample.error, in_window(index), ERROR))
         .collect();
     let floor = samples().filter_map(|(_, s)| Some((level(s).x, log10_abs(&s.floor)?)));
-    let traces = [
-        slope(&points, fit.order),
-        trace(Stroke::Dotted, floor.collect()),
-    ];
+    let traces = [slope(&points, fit.order), trace(Stroke::Dotted, floor)];
+    let curve = curve(legend("order", fit.order, fit.verdict), points, traces);
     let x = match levels {
         Some(_) => "segments n",
         None => "1/d, finer to the right",
     };
     let mut plot = Plot::new(title, Axis::log(x), Axis::log(ERROR)).keyed(key("fitted order"));
-    plot.series.push(Series {
-        traces: traces.into_iter().flatten().collect(),
-        ..Series::line(legend("order", fit.order, fit.verdict), points).colored(0)
-    });
+    plot.series.push(curve);
     plot
 }

@@ -25,7 +25,7 @@ pub use split::of_split;
 pub use table::of_table;
 
 use crate::convergence::Verdict;
-use crate::document::{Point, Sign, Stroke, Trace};
+use crate::document::{Point, Series, Sign, Stroke, Trace};
 use crate::real::{MpfrReal, Real};
 use rug::Float;
 use std::f64::consts::LOG10_2;
@@ -144,7 +144,18 @@ fn slope(points: &[Point], order: Option<f64>) -> Option<Trace> {
     })
 }
 
-/// A line of this stroke, if it has any points.
-fn trace(stroke: Stroke, points: Vec<(f64, f64)>) -> Option<Trace> {
+/// A line of this stroke.
+fn trace(stroke: Stroke, points: impl IntoIterator<Item = (f64, f64)>) -> Option<Trace> {
+    let points: Vec<(f64, f64)> = points.into_iter().collect();
     (!points.is_empty()).then_some(Trace { stroke, points })
+}
+
+/// Points with the traces that belong to them; where no point has a place there is nothing to draw.
+fn curve<const N: usize>(name: String, points: Vec<Point>, traces: [Option<Trace>; N]) -> Series {
+    let is_drawn = points.iter().any(|point| point.y.is_finite());
+    let traces = traces.into_iter().flatten().filter(|_| is_drawn);
+    Series {
+        traces: traces.collect(),
+        ..Series::line(name, points)
+    }
 }

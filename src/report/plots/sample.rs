@@ -5,118 +5,49 @@ use crate::case::manufacture::Manufactured;
 use crate::real::{Mpfr, MpfrReal};
 use crate::symbolic::{Piece, Place, Program};
 use rug::Float;
-use std::f64::consts::LN_10;
 
 /// Places of a piece; those on a straight line are thinned out later.
 const COUNT: u32 = 600;
 const PRECISION: Mpfr = Mpfr { bits: 128 };
-/// An optical depth from which on the transmittance is drawn by its logarithm: T = 10⁻⁴.
-const LOGARITHMIC_FROM: f64 = 4.0 * LN_10;
 /// Beyond these, axes would overflow: values are taken as infinite, or 0.
 const HUGE: f64 = 1e290;
 /// How far inside a piece a function is looked at that has no value at its end, as a part of the piece.
 const INSIDE: f64 = 1e-7;
 
-/// One function of λ, of each channel where it differs.
-pub(super) struct Quantity {
-    pub(super) name: &'static str,
-    pub(super) symbol: &'static str,
-    pub(super) curves: Vec<Curve>,
-    /// Values are logarithms to base 10.
-    pub(super) is_logarithm: bool,
-    /// The value at the far end of the ray, where it is worth telling.
-    pub(super) at_end: Option<Float>,
+/// (λ, value), with a value that is not finite where the line breaks.
+pub(super) type Curve = Vec<(f64, f64)>;
+
+/// s, C, τ, t and I of one channel, and their values at the far end.
+pub(super) struct Sampled {
+    pub(super) curves: [Curve; 5],
+    pub(super) ends: [Option<Float>; 5],
 }
 
-/// Runs of (λ, value) without a gap or a jump.
-pub(super) type Curve = Vec<Vec<(f64, f64)>>;
-
-/// s, C, τ, T and I; s, τ and T are the same for all channels.
-pub(super) fn quantities(channels: &[Manufactured]) -> Vec<Quantity> {
-    let sampled: Vec<Sampled> = channels.iter().map(sample).collect();
-    let Some(first) = sampled.first() else {
-        return Vec::new();
+pub(super) fn sample(case: &Manufactured) -> Sampled {
+    let mut sampled = Sampled {
+        curves: Default::default(),
+        ends: Default::default(),
     };
-    let [field, _, extinction, depth, _] = &first.curves;
-    let of_all = |index: usize| sampled.iter().map(|s| s.curves[index].clone()).collect();
-    let depth_at_end = first.depth_at_end.as_ref();
-    let is_logarithm = depth_at_end.is_some_and(|t| *t >= LOGARITHMIC_FROM);
-    let mut transmittance = depth.clone();
-    for (_, value) in transmittance.iter_mut().flatten() {
-        *value = if is_logarithm {
-            -*value / LN_10
-        } else {
-            (-*value).exp()
-        };
-    }
-    let plain = |name, symbol, curves| Quantity {
-        name,
-        symbol,
-        curves,
-        is_logarithm: false,
-        at_end: None,
-    };
-    let mut quantities = vec![
-        plain("field s", "s", vec![field.clone()]),
-        plain("emission C", "C", of_all(1)),
-        plain("extinction τ", "τ", vec![extinction.clone()]),
-        Quantity {
-            is_logarithm,
-            at_end: depth_at_end.map(|depth| Float::with_val(depth.prec(), -depth).exp()),
-            ..plain("transmittance T = exp(−t)", "T", vec![transmittance])
-        },
-        Quantity {
-            at_end: match &sampled[..] {
-                [only] => only.radiance_at_end.clone(),
-                _ => None,
-            },
-            ..plain("radiance I of the ray up to λ", "I", of_all(4))
-        },
-    ];
-    // What has no closed form is not drawn.
-    quantities.retain(|quantity| quantity.curves.iter().any(|curve| !curve.is_empty()));
-    quantities
-}
-
-/// s, C, τ, t and I of one channel.
-struct Sampled {
-    curves: [Curve; 5],
-    depth_at_end: Option<Float>,
-    radiance_at_end: Option<Float>,
-}
-
-fn sample(case: &Manufactured) -> Sampled {
-    let mut curves: [Curve; 5] = Default::default();
-    let mut ends: Vec<Float> = Vec::new();
     for piece in pieces(case) {
         let places = places(&piece);
         // Every formula of a case is one of λ: the library checked it before.
         let Ok(program) = Program::new(&piece.exprs, &["lambda"]) else {
             continue;
         };
-        let inputs: Vec<MpfrReal> = places
-            .iter()
-            .map(|&place| MpfrReal::from(Float::with_val(PRECISION.bits, place)))
-            .collect();
+        let input = |place: &f64| MpfrReal::from(Float::with_val(PRECISION.bits, *place));
+        let inputs: Vec<MpfrReal> = places.iter().map(input).collect();
         let mut values: [Vec<MpfrReal>; 5] = Default::default();
         program.bind(PRECISION).run(&[&inputs], &mut values);
-        ends = values
-            .iter()
-            .filter_map(|values| values.last())
-            .map(|value| value.as_float().clone())
-            .collect();
-        for (curve, values) in curves.iter_mut().zip(&values) {
-            let values = values.iter().map(|value| drawable(value.as_float()));
-            let points: Vec<(f64, f64)> = places.iter().copied().zip(values).collect();
-            curve.extend(runs(&points));
+        for (index, values) in values.iter().enumerate() {
+            let curve = &mut sampled.curves[index];
+            let points = values.iter().map(|value| drawable(value.as_float()));
+            curve.extend(places.iter().copied().zip(points));
+            curve.push((f64::NAN, f64::NAN));
+            let end = values.last().map(|value| value.as_float().clone());
+            sampled.ends[index] = end.filter(Float::is_finite);
         }
     }
-    let end = |index: usize| ends.get(index).filter(|end| end.is_finite()).cloned();
-    Sampled {
-        curves,
-        depth_at_end: end(3),
-        radiance_at_end: end(4),
-    }
+    sampled
 }
 
 /// The pieces; the whole ray as one where it cannot be cut.
@@ -150,13 +81,4 @@ fn drawable(value: &Float) -> f64 {
     } else {
         value
     }
-}
-
-/// The stretches with values.
-fn runs(points: &[(f64, f64)]) -> Vec<Vec<(f64, f64)>> {
-    points
-        .split(|(place, value)| !(place.is_finite() && value.is_finite()))
-        .filter(|run| run.len() > 1)
-        .map(<[_]>::to_vec)
-        .collect()
 }

@@ -1,6 +1,6 @@
 //! The parts of an error as plots.
 
-use super::{FLAT, Level, gap, key, slope, trace};
+use super::{FLAT, Level, curve, gap, key, slope, trace};
 use crate::convergence::{Fit, RoundoffLaw};
 use crate::document::{Axis, Guide, Plot, Point, Series, Stroke, Trace};
 use crate::report::study::words::{PARTS, best, crossing};
@@ -96,10 +96,7 @@ fn series(line: &Line, part: Part, name: &str) -> Option<Series> {
         None => name.into(),
     };
     let is_drawn = points.iter().any(|point| point.y.is_finite());
-    is_drawn.then(|| Series {
-        traces: slope.into_iter().collect(),
-        ..Series::line(name, points).colored(color(part))
-    })
+    is_drawn.then(|| curve(name, points, [slope]).colored(color(part)))
 }
 
 /// The part where the oracle sees it.
@@ -117,14 +114,14 @@ fn models(line: &Line, first: f64, end: f64) -> impl Iterator<Item = (Part, Trac
         let at = |law: RoundoffLaw, x: f64| {
             (x * LOG10_2, law.log2_at(x, f64::from(line.bits)) * LOG10_2)
         };
-        law.and_then(|law| trace(Stroke::Thin, vec![at(law, first), at(law, end)]))
+        law.and_then(|law| trace(Stroke::Thin, [at(law, first), at(law, end)]))
     };
     let next = |x: &f64| Some(x + 1.0 / STEPS).filter(|x| *x <= end);
     let whole = std::iter::successors(Some(first), next)
         .map(|x| (x * LOG10_2, summary.model.log2_error(x) * LOG10_2))
         .filter(|(_, y)| y.is_finite());
     let models = [
-        (Part::Total, trace(Stroke::Thin, whole.collect())),
+        (Part::Total, trace(Stroke::Thin, whole)),
         (Part::Input, law(summary.laws.input)),
         (Part::Arithmetic, law(summary.laws.arithmetic)),
     ];

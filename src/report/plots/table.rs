@@ -1,6 +1,6 @@
 //! A table of orders as plots.
 
-use super::{Level, key, legend, log10_abs, slope, trace};
+use super::{Level, curve, key, legend, log10_abs, slope, trace};
 use crate::convergence::Verdict;
 use crate::document::{Axis, Plot, Point, Series, Stroke};
 use crate::report::{Group, Row};
@@ -56,16 +56,11 @@ fn series(entry: &Entry, axis: &str) -> Series {
         log.is_finite().then_some((x(level.n), log))
     });
     let floor = levels().filter_map(|level| Some((x(level.n), log10_abs(&level.floor)?)));
+    let order = entry.asymptotic_order;
     let traces = [
-        slope(&points, entry.asymptotic_order),
-        trace(Stroke::Dashed, bias.collect()),
-        trace(Stroke::Dotted, floor.collect()),
+        slope(&points, order),
+        trace(Stroke::Dashed, bias),
+        trace(Stroke::Dotted, floor),
     ];
-    Series {
-        traces: traces.into_iter().flatten().collect(),
-        ..Series::line(
-            legend(entry.column, entry.asymptotic_order, entry.verdict),
-            points,
-        )
-    }
+    curve(legend(entry.column, order, entry.verdict), points, traces)
 }
