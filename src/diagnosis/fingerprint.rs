@@ -75,17 +75,14 @@ pub fn fingerprint(
         .filter(|&index| says_something(&watched[index]))
         .collect();
     let compared: Vec<Watched> = informative.iter().map(|&i| watched[i].clone()).collect();
-    let search = Search {
-        watched: &compared,
-        accuracy,
-        declared: declaration.method.map(|method| {
-            let mut model = Model::of_method(method);
-            if let Model::Recipe(recipe) = &mut model {
-                recipe.wall = declaration.far_wall;
-            }
-            model
-        }),
-    };
+    let declared = declaration.method.map(|method| {
+        let mut model = Model::of_method(method);
+        if let Model::Recipe(recipe) = &mut model {
+            recipe.wall = declaration.far_wall;
+        }
+        model
+    });
+    let search = Search::new(&compared, accuracy, declared);
     let mut found = search.run();
     let restore = |one: &mut Match| {
         for index in &mut one.agrees {

@@ -10,7 +10,7 @@ use super::{
     Accumulator, Accuracy, Fingerprint, FixedRounding, FixedScale, Match, Model, Recipe, Watched,
     fixed,
 };
-use crate::case::Fresh;
+use crate::case::{Shared, SymbolicCase};
 use crate::method::Level;
 use crate::parallel;
 use crate::real::Native;
@@ -24,12 +24,25 @@ const BINARY32: f64 = 5.960_464_477_539_063e-8;
 
 /// Compares the values of channels with all models.
 pub(super) struct Search<'a> {
-    pub(super) watched: &'a [Watched],
-    pub(super) accuracy: Accuracy,
-    pub(super) declared: Option<Model>,
+    watched: &'a [Watched],
+    /// Of each channel's case: thousands of methods look at the same places.
+    nodes: Vec<Shared<'a, SymbolicCase, Native<f64>>>,
+    accuracy: Accuracy,
+    declared: Option<Model>,
 }
 
-impl Search<'_> {
+impl<'a> Search<'a> {
+    /// Of these channels, with the model that is declared.
+    pub(super) fn new(watched: &'a [Watched], accuracy: Accuracy, declared: Option<Model>) -> Self {
+        let nodes = |one: &'a Watched| Shared::new(&one.case, Native::new());
+        Search {
+            watched,
+            nodes: watched.iter().map(nodes).collect(),
+            accuracy,
+            declared,
+        }
+    }
+
     /// The best model of all.
     pub(super) fn run(&self) -> Fingerprint {
         // A quantum that is declared is no discovery, nor is the format.
@@ -138,11 +151,7 @@ impl Search<'_> {
                 .iter()
                 .map(|watched| watched.looked_up(index))
                 .collect();
-            let search = Search {
-                watched: &watched,
-                accuracy: self.accuracy,
-                declared: None,
-            };
+            let search = Search::new(&watched, self.accuracy, None);
             let mut found = search.of(self.accuracy);
             found.retain(|one| matches!(one.model, Model::Recipe(_)));
             for one in &mut found {
@@ -187,11 +196,11 @@ impl Search<'_> {
     /// Methods that agree at the coarsest levels, with the number of channels.
     fn screened_methods(&self, accuracy: Accuracy) -> Vec<(usize, Model)> {
         let methods = methods();
-        let agreeing: Vec<Vec<bool>> = parallel::map(self.watched, |watched| {
-            let nodes = Fresh::new(&watched.case, Native::<f64>::new());
+        let channels: Vec<_> = self.watched.iter().zip(&self.nodes).collect();
+        let agreeing: Vec<Vec<bool>> = parallel::map(&channels, |(watched, nodes)| {
             let mut agrees = vec![true; methods.len()];
             for level in watched.levels.iter().take(SCREENED) {
-                let mut shared = level.uniform.map(|n| Level::new(&nodes, n));
+                let mut shared = level.uniform.map(|n| Level::new(*nodes, n));
                 for (method, agrees) in methods.iter().zip(&mut agrees) {
                     let value = shared.as_mut().and_then(|l| l.radiance(method).ok());
                     *agrees =
@@ -212,8 +221,8 @@ impl Search<'_> {
         let mut digits = Vec::new();
         let mut agrees = Vec::new();
         let mut compared = 0;
-        for (index, watched) in self.watched.iter().enumerate() {
-            let values = values(&model, watched);
+        for (index, (watched, nodes)) in self.watched.iter().zip(&self.nodes).enumerate() {
+            let values = values(&model, watched, nodes);
             let Some(values) = values else { continue };
             compared += 1;
             let both = watched.levels.iter().zip(&values);

@@ -2,8 +2,7 @@
 
 use super::march::{radiance, radiance_kept};
 use super::{Accumulator, Accuracy, Model, Recipe, Watched, WatchedLevel, fixed};
-use crate::case::{Fresh, Nodes};
-use crate::method::Method;
+use crate::case::Nodes;
 use crate::real::Native;
 
 /// Correct digits that binary64 can show.
@@ -28,18 +27,21 @@ pub(super) fn in_quanta(model: &Model, level: &WatchedLevel, accuracy: Accuracy)
     }
 }
 
-/// The model's values at all levels; `None` where it has none for one of them.
-pub(super) fn values(model: &Model, watched: &Watched) -> Option<Vec<f64>> {
+/// The model's values at all levels, with the nodes of the channel's case; `None` where it has none for one of them.
+pub(super) fn values<N: Nodes<Format = Native<f64>>>(
+    model: &Model,
+    watched: &Watched,
+    nodes: &N,
+) -> Option<Vec<f64>> {
     match model {
         Model::Recipe(recipe) => {
             let levels = watched.levels.iter();
             Some(levels.map(|level| of_recipe(recipe, level)).collect())
         }
         Model::Method(method) => {
-            let nodes = Fresh::new(&watched.case, Native::<f64>::new());
             let levels = watched.levels.iter();
             levels
-                .map(|level| of_method(method, &nodes, level))
+                .map(|level| method.radiance(nodes, level.uniform?).ok())
                 .collect()
         }
     }
@@ -57,14 +59,6 @@ fn of_recipe(recipe: &Recipe, level: &WatchedLevel) -> f64 {
             fixed::keep(x, bits, scale, rounding)
         }),
     }
-}
-
-fn of_method<N: Nodes<Format = Native<f64>>>(
-    method: &Method,
-    nodes: &N,
-    level: &WatchedLevel,
-) -> Option<f64> {
-    method.radiance(nodes, level.uniform?).ok()
 }
 
 /// −log₁₀ of the relative difference, from 0 to all that binary64 has.

@@ -31,7 +31,7 @@ fn says(name: &str, what: &str) -> impl Predicate<str> {
     predicate::function(move |text: &str| {
         let behind = text.lines().filter_map(|line| line.strip_prefix(&name));
         let mut said = behind.filter_map(|rest| rest.strip_prefix(' '));
-        said.any(|rest| rest.trim_start().starts_with(&what))
+        said.any(|rest| format!("{}\n", rest.trim_start()).starts_with(&what))
     })
 }
 

@@ -210,7 +210,7 @@ fn every_form_has_the_cheapest_way_and_the_model() {
     let results = usual("a_b", &all_states());
     let document = document(&results);
     let text = terminal(&document, 80, false);
-    let row = format!("  1e-2 … 1e-30  {LEFT}  f32     3      3  390 ns\n    n 3, 390 ns\n");
+    let row = format!("\n1e-2 … 1e-30 {LEFT} f32    3     3 390 ns n 3, 390 ns\n");
     assert!(text.contains(&row), "{text}");
     // Modelled 1.3 times as long as measured, everywhere it ran.
     assert!(

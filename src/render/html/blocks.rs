@@ -1,6 +1,6 @@
 //! The pieces of a section.
 
-use super::page::{class, facts, sign};
+use super::page::{classes, facts, sign};
 use super::{figure, table};
 use crate::document::{Block, Finding, Plot};
 use maud::{Markup, html};
@@ -34,7 +34,7 @@ fn plots(block: &Block) -> Option<&[Plot]> {
 
 fn finding(finding: &Finding) -> Markup {
     html! {
-        p.finding class=[class(finding.tone)] {
+        p class=(classes("finding", finding.tone)) {
             (sign(finding.tone))
             @if !finding.label.is_empty() { strong { (finding.label) ": " } }
             (finding.words)

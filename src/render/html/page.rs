@@ -21,7 +21,7 @@ pub fn render(page: &Document) -> Result<String, ReportError> {
                 (head::top(page))
                 (contents(&sections, &ids))
                 @if let Some(conclusion) = &page.conclusion {
-                    p.conclusion class=[class(conclusion.tone)] { (sign(conclusion.tone)) (conclusion.words) }
+                    p class=(classes("conclusion", conclusion.tone)) { (sign(conclusion.tone)) (conclusion.words) }
                 }
                 main {
                     @for ((section, blocks), id) in sections.iter().zip(&ids) {
@@ -116,6 +116,14 @@ pub(super) fn class(tone: Option<Tone>) -> Option<&'static str> {
         Tone::Bad => "bad",
         Tone::Open => "open",
     })
+}
+
+/// A class of its own beside that of a tone.
+pub(super) fn classes(own: &str, tone: Option<Tone>) -> String {
+    match class(tone) {
+        Some(tone) => format!("{own} {tone}"),
+        None => own.into(),
+    }
 }
 
 /// A sign beside a tone's colour, which not everybody sees.

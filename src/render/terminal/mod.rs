@@ -102,6 +102,10 @@ impl Page {
         let later = " ".repeat(widest + 2);
         for fact in facts {
             let style = fact.tone.map_or(style, Style::of);
+            if fact.name.chars().count() > widest {
+                self.put(&format!("{}: {}", fact.name, fact.value), "", "  ", style);
+                continue;
+            }
             let first = format!("{:<widest$}  ", fact.name);
             self.put(&fact.value, &first, &later, style);
         }
