@@ -34,7 +34,7 @@ fn an_entry_shows_paper_protocol_order_and_verdict() {
         "inner: simpson\n  boole   4.80      4.68  4.000 ± 0.009  16 … 256  Confirmed\n",
         "inner: monte-carlo (64 replicas in f64)\n  boole   0.42      4.68  0.500 ± 0.050   8 … 256  Stalled\n",
         "\n* simpson × boole: pre-asymptotic window (+0.66)",
-        "\nStalled    the error stays",
+        "\nStalled (1)    the error stays",
     ] {
         assert!(text.contains(part), "{part}: {text}");
     }
@@ -181,7 +181,7 @@ fn entries_and_notes_are_listed_and_escaped() {
         "| monte-carlo (64 replicas in f64) | boole | 0.42 |",
         "- **monte-carlo × boole**: a\\|b \\*c\\* \\<d\\>\n",
         "](table-1-exact.svg)\n",
-        "- **Confirmed**: the order expected",
+        "- **Confirmed (2)**: the order expected",
     ] {
         assert!(text.contains(part), "{part}: {text}");
     }

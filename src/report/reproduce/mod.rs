@@ -175,7 +175,8 @@ fn legend(entries: &[Entry]) -> Section {
         .iter()
         .map(|(word, meaning)| Fact::new(*word, *meaning));
     let verdicts = words::counts(entries).into_iter();
-    let verdicts = verdicts.map(|(verdict, _)| Fact::new(verdict.name(), words::meaning(verdict)));
+    let verdicts = verdicts
+        .map(|(verdict, count)| Fact::new(format!("{verdict} ({count})"), words::meaning(verdict)));
     Section::of(
         "words",
         "Words",
