@@ -40,11 +40,15 @@ fn tabular(table: &Table) -> String {
         if above.is_none() || (is_new && !groups.is_empty()) {
             text += "\\midrule\n";
         }
-        let cells = (0..table.columns.len()).map(|i| match groups.contains(&i) && !is_new {
-            true => String::new(),
-            false => escape(&of(row, i)),
+        let cells = (0..table.columns.len()).map(|i| {
+            if groups.contains(&i) && !is_new {
+                String::new()
+            } else {
+                escape(&of(row, i))
+            }
         });
-        text += &format!("{} \\\\\n", cells.collect::<Vec<_>>().join(" & "));
+        text += &cells.collect::<Vec<_>>().join(" & ");
+        text += " \\\\\n";
         above = Some(own);
     }
     text += "\\bottomrule\n\\end{tabular}\n";

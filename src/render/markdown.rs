@@ -10,7 +10,7 @@ const MEDIA: [Medium; 2] = [Medium::Written, Medium::Markdown];
 pub fn markdown(document: &Document) -> String {
     let mut text = format!("# {}\n\n", escape(&document.title));
     if let Some(conclusion) = &document.conclusion {
-        text += &format!("**{}**\n\n", escape(&conclusion.words));
+        text += &["**", &escape(&conclusion.words), "**\n\n"].concat();
     }
     let about = &document.about;
     let mut facts = vec![
@@ -26,7 +26,7 @@ pub fn markdown(document: &Document) -> String {
     let mut maps = HashSet::new();
     for (section, blocks) in document.shown_in(&MEDIA) {
         if !section.title.is_empty() {
-            text += &format!("## {}\n\n", escape(&section.title));
+            text += &["## ", &escape(&section.title), "\n\n"].concat();
         }
         for block in blocks {
             text += &self::block(block);
@@ -95,7 +95,7 @@ fn table(table: &Table) -> String {
         let cells: Vec<String> = columns
             .map(|i| row.get(i).map_or(String::new(), cell))
             .collect();
-        text += &format!("| {} |\n", cells.join(" | "));
+        text += &["| ", &cells.join(" | "), " |\n"].concat();
     }
     text
 }

@@ -37,4 +37,4 @@ pub use markdown::markdown;
 pub use preflight::{check_file, prepare_directory};
 pub use terminal::terminal;
 #[cfg(feature = "studies")]
-pub use write::{write_document, write_file, write_files};
+pub use write::{write_document, write_file};

@@ -46,7 +46,7 @@ pub fn write_document(
 
 /// Writes contents, made before, into `dir` in their order; `dir` is made where it does not exist. Returns the
 /// paths written.
-pub fn write_files(
+fn write_files(
     dir: &Path,
     files: impl IntoIterator<Item = (PathBuf, String)>,
 ) -> Result<Vec<PathBuf>, ReportError> {
