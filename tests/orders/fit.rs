@@ -308,7 +308,7 @@ fn colours_show_on_request_only() {
     }
     volver(&["fit", "-", "--color", "always"], "2,4\n1,1\n")
         .assert()
-        .stdout(contains("\x1b[33mverdict  TooFewLevels\x1b[0m\n"));
+        .stdout(contains("\x1b[33mverdict   TooFewLevels\x1b[0m\n"));
 }
 
 #[test]
