@@ -61,7 +61,11 @@ pub(super) fn shape(index: usize, series: &Series) -> usize {
 fn sample(index: usize, series: &Series) -> Markup {
     let point = Point::new(0.0, 0.0, "").filled();
     html! {
-        @if series.line || !series.traces.is_empty() { path.line d=(ACROSS) stroke-width="2" {} }
+        @if series.line {
+            path.line d=(ACROSS) stroke-width="2" {}
+        } @else if let Some(trace) = series.traces.first() {
+            path.trace.(stroke(trace.stroke)) d=(ACROSS) {}
+        }
         @if !series.points.is_empty() {
             path.mark.filled d=(outline(&point, MIDDLE, shape(index, series), 1.0)) {}
         }
