@@ -9,7 +9,8 @@ use volver::case::{Description, catalogue};
 use volver::convergence::{Sample, Verdict, fit};
 use volver::document::{Plot, Scale, Series, Stroke, Trace};
 use volver::report::groups;
-use volver::report::plots::{of_case, of_convergence, of_table};
+use volver::report::plots::{of_case, of_convergence};
+use volver::report::reproduce::of_table;
 use volver::study::reproduce::Entry;
 
 fn traces(series: &Series, stroke: Stroke) -> Vec<&Trace> {

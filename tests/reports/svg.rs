@@ -9,7 +9,8 @@ use volver::document::{
 };
 use volver::render::{html, svg};
 use volver::report::groups;
-use volver::report::plots::{of_convergence, of_table};
+use volver::report::plots::of_convergence;
+use volver::report::reproduce::of_table;
 
 /// An element, and where its places are counted from.
 #[derive(Debug)]

@@ -10,19 +10,11 @@ mod convergence;
 #[cfg(feature = "studies")]
 mod sample;
 #[cfg(feature = "studies")]
-mod split;
-#[cfg(feature = "studies")]
-mod table;
-#[cfg(feature = "studies")]
 mod thin;
 
 #[cfg(feature = "studies")]
 pub use case::of_case;
 pub use convergence::of_convergence;
-#[cfg(feature = "studies")]
-pub use split::of_split;
-#[cfg(feature = "studies")]
-pub use table::of_table;
 
 use crate::convergence::Verdict;
 use crate::document::{Point, Series, Sign, Stroke, Trace};
@@ -31,10 +23,10 @@ use rug::Float;
 use std::f64::consts::LOG10_2;
 
 /// Orders of less than this are no slope worth a line.
-const FLAT: f64 = 0.1;
+pub(super) const FLAT: f64 = 0.1;
 
 /// What marks and lines mean, thin ones among them.
-fn key(thin: &'static str) -> [(Sign, &'static str); 6] {
+pub(super) fn key(thin: &'static str) -> [(Sign, &'static str); 6] {
     [
         (Sign::Filled, "level in the fit"),
         (Sign::Hollow, "other level"),
@@ -46,13 +38,13 @@ fn key(thin: &'static str) -> [(Sign, &'static str); 6] {
 }
 
 /// The place of a level: a decimal logarithm, and words.
-struct Level {
-    x: f64,
+pub(super) struct Level {
+    pub(super) x: f64,
     words: String,
 }
 
 impl Level {
-    fn of_n(n: u64) -> Self {
+    pub(super) fn of_n(n: u64) -> Self {
         Level {
             x: (n as f64).log10(),
             words: format!("n = {n}"),
@@ -60,7 +52,7 @@ impl Level {
     }
 
     /// Finer levels stand to the right.
-    fn of_step(step: f64) -> Self {
+    pub(super) fn of_step(step: f64) -> Self {
         let x = -step.log10();
         Level {
             x,
@@ -69,7 +61,7 @@ impl Level {
     }
 
     /// The mark of an error there; without a place, where the error has no logarithm.
-    fn mark(&self, error: &Float, is_fitted: bool, axis: &str) -> Point {
+    pub(super) fn mark(&self, error: &Float, is_fitted: bool, axis: &str) -> Point {
         let Some(y) = log10_abs(error) else {
             return gap();
         };
@@ -86,12 +78,12 @@ impl Level {
 }
 
 /// Where a line breaks.
-fn gap() -> Point {
+pub(super) fn gap() -> Point {
     Point::new(f64::NAN, f64::NAN, "")
 }
 
 /// log₁₀|x|, `None` for 0, NaN and infinities.
-fn log10_abs(x: &Float) -> Option<f64> {
+pub(super) fn log10_abs(x: &Float) -> Option<f64> {
     let log = MpfrReal::from(x.clone()).log2_abs() * LOG10_2;
     log.is_finite().then_some(log)
 }
@@ -107,7 +99,7 @@ fn decimal(log10: f64) -> String {
 }
 
 /// "boole 4.00"; other verdicts than the unremarkable ones by name.
-fn legend(name: &str, order: Option<f64>, verdict: Verdict) -> String {
+pub(super) fn legend(name: &str, order: Option<f64>, verdict: Verdict) -> String {
     let order = order.map(|p| format!("{p:.2}"));
     let remark = match verdict {
         Verdict::Confirmed | Verdict::Fitted => None,
@@ -125,7 +117,7 @@ fn legend(name: &str, order: Option<f64>, verdict: Verdict) -> String {
 
 /// A line of this order through the middle of the levels that it was fitted to, from the coarsest level to the finest: where
 /// the errors leave it, they are not of that order.
-fn slope(points: &[Point], order: Option<f64>) -> Option<Trace> {
+pub(super) fn slope(points: &[Point], order: Option<f64>) -> Option<Trace> {
     let order = order.filter(|order| order.is_finite() && order.abs() >= FLAT)?;
     let placed: Vec<&Point> = points.iter().filter(|point| point.y.is_finite()).collect();
     let fitted: Vec<&&Point> = placed.iter().filter(|point| point.filled).collect();
@@ -145,13 +137,17 @@ fn slope(points: &[Point], order: Option<f64>) -> Option<Trace> {
 }
 
 /// A line of this stroke.
-fn trace(stroke: Stroke, points: impl IntoIterator<Item = (f64, f64)>) -> Option<Trace> {
+pub(super) fn trace(stroke: Stroke, points: impl IntoIterator<Item = (f64, f64)>) -> Option<Trace> {
     let points: Vec<(f64, f64)> = points.into_iter().collect();
     (!points.is_empty()).then_some(Trace { stroke, points })
 }
 
 /// Points with the traces that belong to them; where no point has a place there is nothing to draw.
-fn curve<const N: usize>(name: String, points: Vec<Point>, traces: [Option<Trace>; N]) -> Series {
+pub(super) fn curve<const N: usize>(
+    name: String,
+    points: Vec<Point>,
+    traces: [Option<Trace>; N],
+) -> Series {
     let is_drawn = points.iter().any(|point| point.y.is_finite());
     let traces = traces.into_iter().flatten().filter(|_| is_drawn);
     Series {

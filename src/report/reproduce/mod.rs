@@ -2,14 +2,15 @@
 
 mod group;
 mod json;
+mod plots;
 mod proved;
 mod words;
 
 pub use group::{Group, Row, groups};
 pub use json::json;
+pub use plots::of_table;
 
 use super::counts::counts;
-use super::plots;
 use crate::convergence::Verdict;
 use crate::document::{
     About, Block, Cell, Column, Conclusion, Document, Fact, Figure, Finding, Medium, Section,
@@ -90,7 +91,7 @@ fn section(group: &Group<'_>) -> Section {
         Block::Figure(Figure::new(
             group.file_stem(),
             group.title(),
-            plots::of_table(group),
+            of_table(group),
         )),
         Block::Table(list(group)),
     ];

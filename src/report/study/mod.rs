@@ -3,13 +3,14 @@
 mod json;
 mod levels;
 mod paper;
+mod parts;
 pub(super) mod words;
 
 pub use json::json;
+pub use parts::of_split;
 
 use super::counts::counts;
 use super::names::FileNames;
-use super::plots;
 use crate::convergence::Fit;
 use crate::document::{
     About, Block, Cell, Column, Conclusion, Document, Fact, Figure, Finding, Medium, Section,
@@ -105,7 +106,7 @@ fn parts(file: String, case: &str, method: &str, lines: &[&Line]) -> Section {
     let expected = lines.first().map(|line| theory(line.row.expected));
     let title = format!("{case}, {method}: theory {}", expected.unwrap_or_default());
     let caption = format!("{case}, {method}: the parts of the error against n");
-    let figure = Figure::new(&file, caption, plots::of_split(lines));
+    let figure = Figure::new(&file, caption, of_split(lines));
     let mut section = Section::of(file, title, [Block::Table(table(lines))]);
     section.blocks.push(Block::Figure(figure));
     for line in lines {

@@ -1,9 +1,9 @@
 //! The parts of an error as plots.
 
-use super::{FLAT, Level, curve, gap, key, slope, trace};
+use super::words::{PARTS, best, crossing};
 use crate::convergence::{Fit, RoundoffLaw};
 use crate::document::{Axis, Guide, Plot, Point, Series, Stroke, Trace};
-use crate::report::study::words::{PARTS, best, crossing};
+use crate::report::plots::{FLAT, Level, curve, gap, key, slope, trace};
 use crate::study::sweep::{LevelRecord, Line, Part};
 use std::cmp::Ordering;
 use std::f64::consts::LOG10_2;

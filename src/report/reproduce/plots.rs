@@ -1,9 +1,9 @@
 //! A table of orders as plots.
 
-use super::{Level, curve, key, legend, log10_abs, slope, trace};
+use super::{Group, Row};
 use crate::convergence::Verdict;
 use crate::document::{Axis, Plot, Point, Series, Stroke};
-use crate::report::{Group, Row};
+use crate::report::plots::{Level, curve, key, legend, log10_abs, slope, trace};
 use crate::study::reproduce::Entry;
 
 /// A plot for every row of a table, in it a curve a column. With replicas the curve is their standard deviation, and |bias|
