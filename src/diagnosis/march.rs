@@ -21,6 +21,10 @@ pub(super) struct Step<R> {
 
 /// A parameter of a recipe in a format.
 fn parameter<F: Format>(format: F, value: f64) -> F::Real {
+    if value == 0.0 {
+        // Most recipes have none, and rationals cost more than a short ray.
+        return format.int(0);
+    }
     let exact = Rational::from_f64(value).unwrap_or_default();
     format.ratio(&exact)
 }
