@@ -1,6 +1,6 @@
 //! The pieces of a section.
 
-use super::page::{classes, facts, sign};
+use super::tone::{classes, facts, sign};
 use super::{figure, table};
 use crate::document::{Block, Finding, Plot};
 use maud::{Markup, html};

@@ -1,6 +1,6 @@
 //! The top of a document: rules for the browser, the heading, what matters most.
 
-use super::page::{class, sign};
+use super::tone::{class, sign};
 use crate::document::{Document, Link};
 use crate::render::plot::STYLE;
 use maud::{Markup, PreEscaped, html};

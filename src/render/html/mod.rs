@@ -28,6 +28,7 @@ mod head;
 mod page;
 mod place;
 mod table;
+mod tone;
 
 pub use embed::{PageError, SCHEMA, read};
 pub use page::render;

@@ -1,7 +1,8 @@
 //! The document as a page.
 
+use super::tone::{classes, sign};
 use super::{blocks, embed, head};
-use crate::document::{Block, Document, Fact, Medium, Section, Tone};
+use crate::document::{Block, Document, Medium, Section};
 use crate::render::ReportError;
 use maud::{DOCTYPE, Markup, PreEscaped, html};
 use std::collections::HashSet;
@@ -104,45 +105,6 @@ fn about(page: &Document) -> Markup {
                 dt { "volver" } dd { (about.version) }
                 @if !seeds.is_empty() { dt { "seed" } dd { (seeds.join(", ")) } }
                 dt { "machine" } dd { (about.machine) }
-            }
-        }
-    }
-}
-
-/// The class of a tone.
-pub(super) fn class(tone: Option<Tone>) -> Option<&'static str> {
-    tone.map(|tone| match tone {
-        Tone::Good => "good",
-        Tone::Bad => "bad",
-        Tone::Open => "open",
-    })
-}
-
-/// A class of its own beside that of a tone.
-pub(super) fn classes(own: &str, tone: Option<Tone>) -> String {
-    match class(tone) {
-        Some(tone) => format!("{own} {tone}"),
-        None => own.into(),
-    }
-}
-
-/// A sign beside a tone's colour, which not everybody sees.
-pub(super) fn sign(tone: Option<Tone>) -> &'static str {
-    match tone {
-        Some(Tone::Good) => "✓ ",
-        Some(Tone::Bad) => "✗ ",
-        Some(Tone::Open) => "○ ",
-        None => "",
-    }
-}
-
-/// Names and what is said of them, one below the other.
-pub(super) fn facts(facts: &[Fact]) -> Markup {
-    html! {
-        dl {
-            @for fact in facts {
-                dt class=[class(fact.tone)] { (sign(fact.tone)) (fact.name) }
-                dd { (fact.value) }
             }
         }
     }

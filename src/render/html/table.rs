@@ -1,6 +1,6 @@
 //! A table: its headings become buttons where there is a script.
 
-use super::page::{class, sign};
+use super::tone::{class, sign};
 use crate::document::{Cell, Kind, Table, Tone};
 use crate::render::plot::is_dark;
 use maud::{Markup, html};
