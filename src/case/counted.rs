@@ -3,7 +3,7 @@
 use super::{Case, Structure, Transfer};
 use crate::real::Real;
 use crate::real::counted::{Kind, tick};
-use crate::symbolic::Interval;
+use crate::symbolic::{Interval, Program};
 use rug::Rational;
 
 /// A case around another that adds every evaluation of s, of C and τ, and of τ alone to the tally of
@@ -69,6 +69,14 @@ impl<C: Case> Case for CountedCase<'_, C> {
 
     fn structure(&self) -> Structure {
         self.0.structure()
+    }
+
+    fn integrand(&self) -> Option<Program> {
+        self.0.integrand()
+    }
+
+    fn closed_forms(&self) -> [Option<Program>; 2] {
+        self.0.closed_forms()
     }
 
     fn break_places(&self, bits: u32) -> Vec<Option<Interval>> {

@@ -2,6 +2,7 @@
 
 use super::{Case, PolynomialTransfer, Structure, Transfer};
 use crate::real::{Format, Real};
+use crate::symbolic::{Expr, Program};
 use rug::Rational;
 
 /// τ = κ and C = c on [0, D] whatever the field (here s = 1); t(λ) = κλ, I(λ) = c (1 − exp(−κλ)).
@@ -46,6 +47,18 @@ impl Case for HomogeneousSlab {
         let depth = self.optical_depth(lambda)?;
         let opacity = -(-depth).exp_m1();
         Some(opacity * &lambda.format().ratio(&self.emission))
+    }
+
+    fn integrand(&self) -> Option<Program> {
+        let values = [&self.emission, &self.extinction];
+        Program::new(&values.map(|q| Expr::from(q.clone())), &["lambda"]).ok()
+    }
+
+    fn closed_forms(&self) -> [Option<Program>; 2] {
+        let depth = Expr::from(self.extinction.clone()) * Expr::symbol("lambda");
+        let opacity = Expr::from(1) - (-&depth).exp();
+        let radiance = Expr::from(self.emission.clone()) * opacity;
+        [depth, radiance].map(|formula| Program::new(&[formula], &["lambda"]).ok())
     }
 
     fn structure(&self) -> Structure {

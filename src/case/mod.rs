@@ -22,7 +22,7 @@ pub use structure::{Along, Break, END_DERIVATIVES, PolynomialTransfer, Structure
 pub use symbolic::{Formulas, SymbolicCase};
 
 use crate::real::Real;
-use crate::symbolic::Interval;
+use crate::symbolic::{Interval, Program};
 use rug::Rational;
 use std::fmt::Debug;
 
@@ -78,6 +78,17 @@ pub trait Case: Debug + Send + Sync {
 
     /// What is known of its smoothness and algebraic form.
     fn structure(&self) -> Structure;
+
+    /// C and τ along the ray, in this order, as a program of λ; `None` where they are code and no formulas, so that
+    /// nothing can be known of them between the places that they are asked at.
+    fn integrand(&self) -> Option<Program> {
+        None
+    }
+
+    /// t(λ) and I(λ) as programs of λ, where they have closed forms that are formulas.
+    fn closed_forms(&self) -> [Option<Program>; 2] {
+        [None, None]
+    }
 
     /// Where along λ the breaks of its structure are, in their order, enclosed in about `bits` bits; `None`
     /// where that is not known.

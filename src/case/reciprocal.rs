@@ -1,7 +1,9 @@
 //! The case of the paper's Table 2, and the one like it whose source term is not constant.
 
+use super::symbolic::program_of;
 use super::{Case, PolynomialTransfer, Structure, Transfer};
 use crate::real::{Format, Real};
+use crate::symbolic::Program;
 use rug::Rational;
 
 /// s = 1/(1+λ), τ = s, C = 1/s on [0, 1]; t(λ) = I(λ) = ln(1 + λ).
@@ -62,6 +64,17 @@ impl Case for Reciprocal {
         Some(lambda.clone().ln_1p())
     }
 
+    fn integrand(&self) -> Option<Program> {
+        program_of(&["1 + lambda", "1/(1 + lambda)"])
+    }
+
+    fn closed_forms(&self) -> [Option<Program>; 2] {
+        [
+            program_of(&["ln(1 + lambda)"]),
+            program_of(&["ln(1 + lambda)"]),
+        ]
+    }
+
     fn structure(&self) -> Structure {
         Structure {
             field_degree: None,
@@ -102,6 +115,17 @@ impl Case for ReciprocalSquare {
         let mut sum = format.int(1);
         sum += &s;
         Some(s * lambda * &sum / &format.int(2))
+    }
+
+    fn integrand(&self) -> Option<Program> {
+        program_of(&["1/(1 + lambda)", "1/(1 + lambda)"])
+    }
+
+    fn closed_forms(&self) -> [Option<Program>; 2] {
+        [
+            program_of(&["ln(1 + lambda)"]),
+            program_of(&["(1 - (1 + lambda)^(-2))/2"]),
+        ]
     }
 
     fn structure(&self) -> Structure {

@@ -1,7 +1,9 @@
 //! The case of the paper's Table 1.
 
+use super::symbolic::program_of;
 use super::{Case, Structure, Transfer};
 use crate::real::{Format, Real};
+use crate::symbolic::Program;
 use rug::Rational;
 
 /// s = λ, C = sin s², τ = s cos s² on [0, 1]; t(λ) = sin(λ²)/2 and
@@ -44,6 +46,17 @@ impl Case for SineSquared {
         // 2 (1 − T) − sin λ² T: the first difference without its cancellation at small λ.
         let opacity = -(-(sin.clone() / &two)).exp_m1();
         Some(opacity * &two - &(sin * &transmittance))
+    }
+
+    fn integrand(&self) -> Option<Program> {
+        program_of(&["sin(lambda^2)", "lambda*cos(lambda^2)"])
+    }
+
+    fn closed_forms(&self) -> [Option<Program>; 2] {
+        [
+            program_of(&["sin(lambda^2)/2"]),
+            program_of(&["2 - (sin(lambda^2) + 2)*exp(-sin(lambda^2)/2)"]),
+        ]
     }
 
     fn structure(&self) -> Structure {

@@ -97,6 +97,13 @@ impl SymbolicCase {
     }
 }
 
+/// A program of λ from formulas that are known to be good.
+pub(super) fn program_of(outputs: &[&str]) -> Option<Program> {
+    let outputs = outputs.iter().map(|text| text.parse().ok());
+    let outputs: Option<Vec<Expr>> = outputs.collect();
+    Program::new(&outputs?, &["lambda"]).ok()
+}
+
 /// The only output of a program; NaN cannot come of it, since every program here has one.
 fn only<R: Real>(program: &KeptProgram, input: &R) -> R {
     let mut values = program.at(input);
@@ -149,6 +156,24 @@ impl Case for SymbolicCase {
 
     fn structure(&self) -> Structure {
         self.inner.structure.clone()
+    }
+
+    fn integrand(&self) -> Option<Program> {
+        let formulas = self.formulas();
+        let along = |formula: &Expr| formula.substitute("s", &formulas.field);
+        Program::new(
+            &[along(&formulas.emission), along(&formulas.extinction)],
+            &["lambda"],
+        )
+        .ok()
+    }
+
+    fn closed_forms(&self) -> [Option<Program>; 2] {
+        let formulas = self.formulas();
+        [&formulas.optical_depth, &formulas.radiance].map(|formula| {
+            let formula = formula.as_ref()?;
+            Program::new(std::slice::from_ref(formula), &["lambda"]).ok()
+        })
     }
 
     fn break_places(&self, bits: u32) -> Vec<Option<Interval>> {

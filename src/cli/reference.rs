@@ -11,7 +11,9 @@ use std::f64::consts::LOG2_10;
 use std::path::Path;
 use volver::case::SymbolicCase;
 use volver::case::manufacture::Manufactured;
-use volver::reference::{Reference, ReferenceError, Source, radiance, spectral_radiance};
+use volver::reference::{
+    Reference, ReferenceError, Source, enclosed_radiance, estimated_radiance, radiance,
+};
 use volver::report::reference::{Difference, Found, document, json};
 
 /// The most digits that can be asked for.
@@ -27,9 +29,12 @@ pub(crate) struct ReferenceValue {
     /// Significant digits
     #[arg(long, value_name = "N", default_value_t = 50, value_parser = digits)]
     digits: u32,
-    /// Integrate numerically even where there is a closed form, and compare
-    #[arg(long)]
-    spectral: bool,
+    /// Enclose the integral even where there is a closed form, and compare
+    #[arg(long, conflicts_with = "estimate")]
+    integrate: bool,
+    /// Estimate the integral by Chebyshev series, without a proof, and compare
+    #[arg(long, alias = "spectral")]
+    estimate: bool,
     /// Print one JSON document
     #[arg(long)]
     json: bool,
@@ -39,23 +44,26 @@ fn examples() -> String {
     format!(
         "{SOURCES}
 
-A closed form is evaluated where there is one. Otherwise, and with --spectral, the
-integral is found from C and tau alone: Chebyshev series on panels between the
-breaks of the case. 'believed' are the digits that the value has by an estimate of
-its error; the transcendental functions counted are those of the medium and of the
-transmittance, a sine and cosine of the same number as one.
+A closed form is evaluated in intervals where there is one. Otherwise, and with
+--integrate, the integral of C and tau is enclosed: panels between kinks and jumps,
+which are found, with a bound of all that series leave out. Either way the error is
+proved, and with it every digit. Where there is no bound the value is an estimate
+by Chebyshev series, and 'source' says why: what is narrower than the distance of
+its points can be missed. The transcendental functions counted are those of the
+medium and of the transmittance, a sine and cosine of the same number as one.
 
-With --spectral the exit code is 1 where the difference to the closed form is more
-than the estimated error.
+With --integrate and --estimate the exit code is 1 where the difference to the
+closed form is more than both errors.
 
 JSON: volver (its version) and references, an object a channel: name, channel,
-radiance (text of N digits), asked and believed (digits; null for an exact 0),
-error, source (closed form, spectral), panels, points, evaluations,
-transcendental_calls, difference (to the closed form, with --spectral, or null).
+radiance (text of N digits), asked and digits (those that the error leaves; null for
+an exact 0), error, proved (whether error is), not_proved (why not, or null), source
+(closed form, enclosure, estimate), panels, points, evaluations,
+transcendental_calls, difference (to the closed form, or null).
 
 Examples:
   volver reference sine-squared
-  volver reference kink-moving --digits 200 --spectral
+  volver reference kink-moving --digits 200 --integrate
   volver reference rgb-transfer/red --digits 20 --json
   printf 'name=\"a\"\\nlength=1\\nextinction=\"1+s^3\"\\nemission=\"exp(-s)\"' | volver reference -"
     )
@@ -99,14 +107,17 @@ impl ReferenceValue {
     fn find<'c>(&self, case: &'c Manufactured) -> Result<Found<'c>, ReferenceError> {
         #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss)] // At most 33,220.
         let bits = (f64::from(self.digits) * LOG2_10).ceil() as u32 + 1;
-        if !self.spectral {
+        let reference = if self.integrate {
+            enclosed_radiance(&case.case, bits)?
+        } else if self.estimate {
+            estimated_radiance(&case.case, bits)?
+        } else {
             return Ok(Found {
                 case,
                 reference: radiance(&case.case, bits)?,
                 difference: None,
             });
-        }
-        let reference = spectral_radiance(&case.case, bits)?;
+        };
         let difference = difference(&case.case, &reference, bits)?;
         Ok(Found {
             case,

@@ -1,9 +1,14 @@
-//! Closed forms, evaluated at two precisions: what differs is what rounding and cancellation do.
+//! Closed forms, in intervals where they are formulas. Where they are code they are evaluated at two precisions: what
+//! differs is what rounding and cancellation do.
 
+use super::enclosure::hull;
 use super::medium::Medium;
-use super::{GUARD_BITS, Quantity, Reference, ReferenceError, Source, Work, believed_bits};
+use super::{
+    GUARD_BITS, NotEnclosed, Quantity, Reference, ReferenceError, Source, Work, believed_bits,
+};
 use crate::real::{Format, MAX_BITS, Mpfr};
-use rug::Float;
+use crate::symbolic::{Interval, Program};
+use rug::{Float, Rational};
 
 /// How often the precision is doubled where digits cancel.
 const DOUBLINGS: u32 = 4;
@@ -16,6 +21,17 @@ pub(super) fn evaluate(
     quantity: Quantity,
     bits: u32,
 ) -> Option<Result<Reference, ReferenceError>> {
+    if let Some(program) = case.closed_form(quantity)
+        && let Some(interval) = enclosed(&program, &case.length(), bits)
+    {
+        let work = Work::default();
+        return Some(Ok(Reference::enclosed(
+            &interval,
+            bits,
+            Source::ClosedForm,
+            work,
+        )));
+    }
     let at = |bits: u32| -> Option<Float> {
         let end = Mpfr { bits }.ratio(&case.length());
         let value = match quantity {
@@ -49,6 +65,7 @@ pub(super) fn evaluate(
             return Some(Ok(Reference {
                 value: Float::with_val(held, &fine),
                 error: if error > unit { error } else { unit },
+                not_enclosed: Some(NotEnclosed::NoFormulas),
                 source: Source::ClosedForm,
                 work: Work::default(),
             }));
@@ -60,4 +77,20 @@ pub(super) fn evaluate(
         precision,
         bits,
     }))
+}
+
+/// The value at the far end in so many bits, with more where digits cancel; `None` where that does not help.
+fn enclosed(program: &Program, length: &Rational, bits: u32) -> Option<Interval> {
+    let mut precision = bits + GUARD_BITS;
+    for _ in 0..=DOUBLINGS {
+        let end = Interval::point(precision, length);
+        let value = hull(program, &end, precision).pop()??;
+        let off = Float::with_val(64, value.width());
+        let middle = value.midpoint();
+        if off.is_zero() || value.is_finite() && believed_bits(&middle, &off) > bits {
+            return Some(value);
+        }
+        precision = (2 * precision).min(MAX_BITS);
+    }
+    None
 }

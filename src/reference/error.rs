@@ -55,6 +55,14 @@ pub enum ReferenceError {
         /// t(D).
         depth: f64,
     },
+    /// There is no enclosure.
+    #[error(
+        "not enclosed: {reason} (allowed: media that are formulas, analytic but for kinks and jumps)"
+    )]
+    NotEnclosed {
+        /// Why.
+        reason: super::NotEnclosed,
+    },
     /// The series do not get there.
     #[error(
         "not resolved to {wanted} bits{}: {believed} bits after {evaluations} evaluations (allowed: media that are analytic but for a few places)",

@@ -13,7 +13,7 @@ mod stretch;
 mod verdict;
 
 use super::medium::Medium;
-use super::{GUARD_BITS, Quantity, Reference, ReferenceError, Source, believed_bits};
+use super::{GUARD_BITS, NotEnclosed, Quantity, Reference, ReferenceError, Source, believed_bits};
 use crate::real::MAX_BITS;
 use march::March;
 use rug::Float;
@@ -67,11 +67,12 @@ impl Settings {
     }
 }
 
-/// t(D) or I(D) to `bits` significant bits, without a closed form.
+/// t(D) or I(D) to `bits` significant bits by an estimate, where there is no enclosure for that reason.
 pub(super) fn integrate(
     case: &dyn Medium,
     quantity: Quantity,
     bits: u32,
+    not_enclosed: NotEnclosed,
 ) -> Result<Reference, ReferenceError> {
     let mut work = Work::default();
     let mut target = bits + TARGET_BITS;
@@ -91,6 +92,7 @@ pub(super) fn integrate(
             return Ok(Reference {
                 value: Float::with_val(held, value),
                 error,
+                not_enclosed: Some(not_enclosed),
                 source: Source::Spectral,
                 work,
             });

@@ -18,11 +18,11 @@ pub struct Found<'c> {
     pub case: &'c Manufactured,
     /// Its radiance.
     pub reference: Reference,
-    /// |spectral − closed form|, where both were asked for and exist.
+    /// |integral − closed form|, where both were asked for and exist.
     pub difference: Option<Difference>,
 }
 
-/// How far the oracle is from a closed form.
+/// How far the integral is from a closed form.
 #[derive(Clone, Debug)]
 pub struct Difference {
     /// So far.
@@ -42,16 +42,32 @@ pub fn document(found: &[Found<'_>], digits: u32, about: &About) -> Document {
 fn section(found: &Found<'_>, digits: u32) -> Section {
     let reference = &found.reference;
     let value = decimal_of(&reference.value, digits as usize);
-    let believed = match reference.digits() {
-        Some(believed) => format!("{digits} asked for, {believed} believed"),
-        None => "exact".into(),
+    let word = if reference.is_enclosed() {
+        "proved"
+    } else {
+        "estimated"
+    };
+    let known = match reference.digits() {
+        Some(known) => format!("{digits} asked for, {known} {word}"),
+        None => format!("exact, {word}"),
+    };
+    let from = source(reference.source);
+    let from = match &reference.not_enclosed {
+        None => Fact::new("source", from),
+        Some(reason) => {
+            Fact::new("source", format!("{from}, not proved: {reason}")).toned(Tone::Open)
+        }
     };
     let mut facts = vec![
         Fact::new("I(D)", value),
-        Fact::new("digits", believed),
-        Fact::new("source", source(reference.source)),
+        Fact::new(
+            "error",
+            format!("at most {}, {word}", decimal(&reference.error)),
+        ),
+        Fact::new("digits", known),
+        from,
     ];
-    if reference.source == Source::Spectral {
+    if reference.source != Source::ClosedForm {
         let work = &reference.work;
         let grid = format!("{} panels, {} points", work.panels, work.points);
         let work = format!(
@@ -67,7 +83,7 @@ fn section(found: &Found<'_>, digits: u32) -> Section {
             ("beyond", Tone::Bad)
         };
         let amount = decimal(&difference.amount);
-        let words = format!("{amount} to the closed form, {verdict} the estimated error");
+        let words = format!("{amount} to the closed form, {verdict} both errors");
         facts.push(Fact::new("difference", words).toned(tone));
     }
     let name = found.case.case.name();
@@ -78,6 +94,7 @@ fn section(found: &Found<'_>, digits: u32) -> Section {
 fn source(source: Source) -> &'static str {
     match source {
         Source::ClosedForm => "closed form",
-        Source::Spectral => "spectral",
+        Source::Enclosure => "enclosure",
+        Source::Spectral => "estimate",
     }
 }

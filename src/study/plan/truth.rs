@@ -4,6 +4,7 @@ use crate::case::{Case, Structure, Transfer};
 use crate::real::{Format, Real};
 use crate::reference::{ReferenceError, optical_depth, radiance};
 use crate::scene::{BoundPiece, Columns, Form, Piece, Scene};
+use crate::symbolic::{Expr, Program};
 use rug::{Float, Rational};
 
 /// The radiance of every channel to about `bits` bits of the brightest light: piece by piece by the oracle, which
@@ -93,6 +94,34 @@ impl Case for OfPiece<'_> {
 
     fn radiance<R: Real>(&self, _: &R) -> Option<R> {
         None
+    }
+
+    fn integrand(&self) -> Option<Program> {
+        let place = Expr::symbol("lambda") + Expr::from(self.piece.from.clone());
+        let of = |values: &Transfer<Expr>| [values.emission.clone(), values.extinction.clone()];
+        let number = |q: &Rational| Expr::from(q.clone());
+        let outputs = match &self.piece.form {
+            Form::Vacuum => [Expr::from(0), Expr::from(0)],
+            Form::Constant(values) => {
+                let values = values.get(self.channel)?;
+                [number(&values.emission), number(&values.extinction)]
+            }
+            Form::Linear { front, back } => {
+                let (front, back) = (front.get(self.channel)?, back.get(self.channel)?);
+                let part = Expr::symbol("lambda") * Expr::from(self.length().recip());
+                let between = |near: &Rational, far: &Rational| {
+                    number(near) + number(&Rational::from(far - near)) * part.clone()
+                };
+                [
+                    between(&front.emission, &back.emission),
+                    between(&front.extinction, &back.extinction),
+                ]
+            }
+            Form::Smooth { formulas, .. } => {
+                of(formulas.get(self.channel)?).map(|formula| formula.substitute("lambda", &place))
+            }
+        };
+        Program::new(&outputs, &["lambda"]).ok()
     }
 
     fn structure(&self) -> Structure {

@@ -23,6 +23,26 @@ impl Interval {
         self.increasing(Float::exp_round)
     }
 
+    /// eˣ − 1.
+    #[must_use]
+    pub fn exp_m1(&self) -> Interval {
+        self.increasing(Float::exp_m1_round)
+    }
+
+    /// ln(1 + x), of numbers greater than −1.
+    ///
+    /// # Errors
+    /// [`Undefined`] where the interval reaches down to −1, certainly so where it has nothing above.
+    pub fn ln_1p(&self) -> Result<Interval, Undefined> {
+        if self.upper <= -1 {
+            return Err(Undefined::Certainly);
+        }
+        if self.lower <= -1 {
+            return Err(Undefined::Possibly);
+        }
+        Ok(self.increasing(Float::ln_1p_round))
+    }
+
     /// The natural logarithm, of positive numbers.
     ///
     /// # Errors

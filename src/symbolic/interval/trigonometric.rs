@@ -38,6 +38,12 @@ impl Quarters {
         Some(Quarters { first, last })
     }
 
+    /// n where all of the interval is between (n − 1)·π/2 and n·π/2.
+    fn between(&self) -> Option<u32> {
+        let n = Integer::from(&self.first).rem_euc(4_u32);
+        (self.first > self.last).then(|| n.to_u32()).flatten()
+    }
+
     /// Whether one of them is `remainder` more than a multiple of `modulus`.
     fn contains(&self, remainder: u32, modulus: u32) -> bool {
         let distance = Integer::from(remainder - &self.first).rem_euc(modulus);
@@ -70,6 +76,16 @@ impl Interval {
             function(&mut value, round);
             value
         };
+        if let Some(quarter) = quarters.between() {
+            // It rises between its bottom and its top.
+            let rises = (quarter + 3 - bottom) % 4 < 2;
+            let (low, high) = if rises {
+                (&self.lower, &self.upper)
+            } else {
+                (&self.upper, &self.lower)
+            };
+            return Interval::new(at(low, Round::Down), at(high, Round::Up));
+        }
         let lower = if quarters.contains(bottom, 4) {
             -one()
         } else {
