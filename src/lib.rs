@@ -13,8 +13,9 @@
 //! A module uses only those that stand before it: `real`, `symbolic`, `case`, `proof`, `scene`, `quadrature`, `method`, `kernel`,
 //! `reference`, `convergence`, `diagnosis`, `study`, `document`, `render`, `report`, `assert`.
 //!
-//! The feature `studies` has the modules `scene` and all of `study` and `report` but the verification of kernels; the feature
-//! `cli`, on by default, has the program too.
+//! The feature `studies` has the modules `scene` and `proof`, all of `study` and `report` but the verification of kernels, and
+//! what only these need; the feature `half` has `f16` and `bf16` as the crate of that name computes them, and not emulated; the
+//! feature `cli`, on by default, has both and the program.
 //!
 //! ```
 //! use volver::case::SineSquared;
@@ -51,6 +52,7 @@ pub mod inside;
 pub mod kernel;
 pub mod method;
 mod parallel;
+#[cfg(feature = "studies")]
 pub mod proof;
 pub mod quadrature;
 pub mod real;

@@ -1,7 +1,6 @@
 //! Work shared out among threads. Whatever the work, the machinery of threads is compiled once.
 
-use rayon::prelude::*;
-use std::sync::atomic::{AtomicBool, Ordering};
+use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
 use std::sync::{Mutex, PoisonError};
 
 /// f of every item, in the order of the items, which are taken one by one.
@@ -36,6 +35,21 @@ pub(crate) fn try_map<I: Sync, T: Send, E: Send>(
     done.into_iter().flatten().collect()
 }
 
+/// Each thread takes the next index as soon as it is done with one.
 fn each(count: usize, work: &(dyn Fn(usize) + Sync)) {
-    (0..count).into_par_iter().with_max_len(1).for_each(work);
+    let next = AtomicUsize::new(0);
+    let worker = || {
+        loop {
+            let index = next.fetch_add(1, Ordering::Relaxed);
+            if index >= count {
+                return;
+            }
+            work(index);
+        }
+    };
+    rayon_core::scope(|scope| {
+        for _ in 0..rayon_core::current_num_threads().min(count) {
+            scope.spawn(|_| worker());
+        }
+    });
 }

@@ -34,13 +34,16 @@ mod decimal;
 mod fit;
 mod ladder;
 pub(crate) mod line;
+#[cfg(feature = "studies")]
 mod model;
 mod note;
 mod replicas;
 pub(crate) mod richardson;
 mod sample;
+#[cfg(feature = "studies")]
 mod split;
 pub mod table;
+#[cfg(feature = "studies")]
 mod transition;
 pub(crate) mod verdict;
 mod window;
@@ -48,6 +51,7 @@ mod window;
 pub use decimal::Decimal;
 pub use fit::{FLOOR_MARGIN, Fit, FitError, FloorCut, Pair, fit};
 pub use ladder::{Ladder, LadderError, MAX_LEVELS, MAX_SEGMENTS};
+#[cfg(feature = "studies")]
 pub use model::{Best, ErrorModel, Laws, RoundoffLaw};
 pub use note::Note;
 pub use replicas::{
@@ -55,7 +59,9 @@ pub use replicas::{
 };
 pub use richardson::{DifferenceFit, RichardsonError, ValueSample, fit_differences};
 pub use sample::{JSON_NUMBER_MIN, Sample, serialize_float};
+#[cfg(feature = "studies")]
 pub use split::{Cell, Oracle, Split};
+#[cfg(feature = "studies")]
 pub use transition::{Transition, TransitionError, transition};
 pub use verdict::{MAX_HALF_WIDTH, Verdict};
 pub use window::Window;

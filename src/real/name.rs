@@ -5,6 +5,7 @@ mod error;
 pub use error::FormatError;
 
 use super::{Fixed, Format, Ieee, MAX_INTEGER, Mpfr, Native};
+#[cfg(feature = "half")]
 use half::{bf16, f16};
 use std::fmt;
 use std::str::FromStr;
@@ -128,11 +129,17 @@ impl FormatName {
         self.with(Bits)
     }
 
-    /// Does `action` in this format.
+    /// Does `action` in this format; in `f16` and `bf16`, without the feature `half`, in the emulated format of the same numbers.
     pub fn with<W: WithFormat>(self, action: W) -> W::Output {
         match self {
+            #[cfg(feature = "half")]
             FormatName::F16 => action.run(Native::<f16>::new()),
+            #[cfg(feature = "half")]
             FormatName::Bf16 => action.run(Native::<bf16>::new()),
+            #[cfg(not(feature = "half"))]
+            FormatName::F16 => action.run(Ieee::BINARY16),
+            #[cfg(not(feature = "half"))]
+            FormatName::Bf16 => action.run(Ieee::BFLOAT16),
             FormatName::F32 => action.run(Native::<f32>::new()),
             FormatName::F64 => action.run(Native::<f64>::new()),
             FormatName::Ieee(format) => action.run(format),

@@ -16,6 +16,7 @@ mod error;
 pub mod html;
 #[cfg(feature = "studies")]
 mod latex;
+#[cfg(feature = "studies")]
 mod markdown;
 #[cfg(feature = "studies")]
 mod plot;
@@ -32,6 +33,7 @@ pub use csv::csv;
 pub use error::ReportError;
 #[cfg(feature = "studies")]
 pub use latex::latex;
+#[cfg(feature = "studies")]
 pub use markdown::markdown;
 #[cfg(feature = "studies")]
 pub use preflight::{check_file, prepare_directory};

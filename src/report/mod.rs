@@ -34,6 +34,7 @@ mod names;
 pub mod nonsmooth;
 #[cfg(feature = "studies")]
 pub mod plan;
+#[cfg(feature = "studies")]
 pub mod plots;
 #[cfg(feature = "studies")]
 pub mod proofs;

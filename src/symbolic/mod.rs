@@ -13,6 +13,7 @@ mod program;
 mod quotient;
 mod simplify;
 mod substitute;
+#[cfg(feature = "studies")]
 mod taylor;
 
 pub use expr::{Branch, Condition, Expr, Kind, Relation};
@@ -25,6 +26,7 @@ pub use program::{
     Bound, CompileError, Constant, Instruction, KeptProgram, Operand, Operation, Program,
 };
 pub use quotient::{expand, quotient};
+#[cfg(feature = "studies")]
 pub use taylor::{Range, Taylor, taylor};
 
 mod decide;
@@ -40,10 +42,13 @@ pub use pieces::{Piece, PiecesError, Place, pieces};
 pub use refute::{Witness, refute_zero};
 
 pub mod code;
+#[cfg(feature = "studies")]
 mod coq;
+#[cfg(feature = "studies")]
 mod latex;
 pub(crate) mod normal_form;
 mod zero_test;
+#[cfg(feature = "studies")]
 pub use coq::CoqError;
 pub use normal_form::{MAX_TERMS, MAX_WORK, Reduction, reduce};
 pub use zero_test::{ZeroTest, zero_test};

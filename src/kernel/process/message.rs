@@ -3,59 +3,62 @@
 use super::number::Number;
 use super::written::{Array, Numbers, Written};
 use crate::kernel::Sampling;
+#[cfg(feature = "studies")]
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 use serde_json::Value;
 
 /// What a greeting says that it is.
-#[derive(Clone, Copy, Debug, Serialize, Deserialize, JsonSchema)]
+#[derive(Clone, Copy, Debug, Serialize, Deserialize)]
+#[cfg_attr(feature = "studies", derive(JsonSchema), schemars(inline))]
 #[serde(rename_all = "lowercase")]
-#[schemars(inline)]
 pub(super) enum HelloTag {
     Hello,
 }
 
 /// What a request says that it is.
-#[derive(Clone, Copy, Debug, Serialize, JsonSchema)]
+#[derive(Clone, Copy, Debug, Serialize)]
+#[cfg_attr(feature = "studies", derive(JsonSchema), schemars(inline))]
 #[serde(rename_all = "lowercase")]
-#[schemars(inline)]
 pub(super) enum RenderTag {
     Render,
 }
 
 /// What an answer says that it is.
-#[derive(Clone, Copy, Debug, Deserialize, JsonSchema)]
+#[derive(Clone, Copy, Debug, Deserialize)]
+#[cfg_attr(feature = "studies", derive(JsonSchema), schemars(inline))]
 #[serde(rename_all = "lowercase")]
-#[schemars(inline)]
 pub(super) enum RadianceTag {
     Radiance,
 }
 
 /// The first message of all, from volver.
-#[derive(Debug, Serialize, JsonSchema)]
+#[derive(Debug, Serialize)]
+#[cfg_attr(feature = "studies", derive(JsonSchema))]
 pub(super) struct VolverHello {
     #[serde(rename = "type")]
     pub(super) tag: HelloTag,
     /// The version of the protocol.
-    #[schemars(extend("const" = super::VERSION))]
+    #[cfg_attr(feature = "studies", schemars(extend("const" = super::VERSION)))]
     pub(super) protocol: u64,
     /// Who asks, for logs.
     pub(super) program: &'static str,
 }
 
 /// The kernel's answer to it: what it says of itself.
-#[derive(Debug, Deserialize, JsonSchema)]
+#[derive(Debug, Deserialize)]
+#[cfg_attr(feature = "studies", derive(JsonSchema))]
 #[serde(deny_unknown_fields)]
 pub(super) struct KernelHello {
     #[serde(rename = "type")]
     #[expect(dead_code, reason = "there is no other value")]
     tag: HelloTag,
     /// The version of the protocol.
-    #[schemars(extend("const" = super::VERSION))]
+    #[cfg_attr(feature = "studies", schemars(extend("const" = super::VERSION)))]
     #[expect(dead_code, reason = "checked before the other keys are looked at")]
     protocol: u64,
     /// Its name, for reports.
-    #[schemars(length(min = 1, max = 100))]
+    #[cfg_attr(feature = "studies", schemars(length(min = 1, max = 100)))]
     pub(super) name: String,
     /// What it is to be given.
     pub(super) form: Form,
@@ -86,9 +89,9 @@ pub(super) struct KernelHello {
 }
 
 /// The form in which a kernel wants its ray.
-#[derive(Clone, Copy, Debug, Deserialize, JsonSchema)]
+#[derive(Clone, Copy, Debug, Deserialize)]
+#[cfg_attr(feature = "studies", derive(JsonSchema), schemars(inline))]
 #[serde(rename_all = "lowercase")]
-#[schemars(inline)]
 pub(super) enum Form {
     Segments,
     Volume,
@@ -96,9 +99,9 @@ pub(super) enum Form {
 }
 
 /// The language of source code.
-#[derive(Clone, Copy, Debug, Deserialize, JsonSchema)]
+#[derive(Clone, Copy, Debug, Deserialize)]
+#[cfg_attr(feature = "studies", derive(JsonSchema), schemars(inline))]
 #[serde(rename_all = "lowercase")]
-#[schemars(inline)]
 pub(super) enum WireLanguage {
     Python,
     C,
@@ -106,9 +109,9 @@ pub(super) enum WireLanguage {
 }
 
 /// Where a kernel samples its segments.
-#[derive(Clone, Copy, Debug, Deserialize, JsonSchema)]
+#[derive(Clone, Copy, Debug, Deserialize)]
+#[cfg_attr(feature = "studies", derive(JsonSchema), schemars(inline))]
 #[serde(rename_all = "lowercase")]
-#[schemars(inline)]
 pub(super) enum WireSampling {
     Front,
     Middle,
@@ -118,9 +121,9 @@ pub(super) enum WireSampling {
 }
 
 /// Where arrays stand.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Deserialize, JsonSchema)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Deserialize)]
+#[cfg_attr(feature = "studies", derive(JsonSchema), schemars(inline))]
 #[serde(rename_all = "lowercase")]
-#[schemars(inline)]
 pub(super) enum Arrays {
     #[default]
     Json,
@@ -140,7 +143,8 @@ impl From<WireSampling> for Sampling {
 }
 
 /// A request: rays to render.
-#[derive(Debug, Serialize, JsonSchema)]
+#[derive(Debug, Serialize)]
+#[cfg_attr(feature = "studies", derive(JsonSchema))]
 pub(super) struct Render<'a> {
     #[serde(rename = "type")]
     pub(super) tag: RenderTag,
@@ -151,8 +155,8 @@ pub(super) struct Render<'a> {
 }
 
 /// One ray.
-#[derive(Debug, Serialize, JsonSchema)]
-#[schemars(rename = "Task")]
+#[derive(Debug, Serialize)]
+#[cfg_attr(feature = "studies", derive(JsonSchema), schemars(rename = "Task"))]
 pub(super) struct WireTask<'a> {
     /// The name of the case.
     pub(super) case: &'a str,
@@ -171,9 +175,9 @@ pub(super) struct WireTask<'a> {
 }
 
 /// A ray in one of the forms.
-#[derive(Debug, Serialize, JsonSchema)]
+#[derive(Debug, Serialize)]
+#[cfg_attr(feature = "studies", derive(JsonSchema), schemars(rename = "Data"))]
 #[serde(tag = "form", rename_all = "lowercase")]
-#[schemars(rename = "Data")]
 pub(super) enum WireData<'a> {
     /// Values at the ends and in the middles of n segments.
     Segments {
@@ -199,8 +203,8 @@ pub(super) enum WireData<'a> {
 }
 
 /// Values at a row of places.
-#[derive(Debug, Serialize, JsonSchema)]
-#[schemars(rename = "Samples")]
+#[derive(Debug, Serialize)]
+#[cfg_attr(feature = "studies", derive(JsonSchema), schemars(rename = "Samples"))]
 pub(super) struct WireSamples<'a> {
     /// The distance λ from the eye.
     pub(super) lambda: Array<'a>,
@@ -211,8 +215,8 @@ pub(super) struct WireSamples<'a> {
 }
 
 /// Transfer functions at evenly spaced field values, linear between.
-#[derive(Debug, Serialize, JsonSchema)]
-#[schemars(rename = "Table")]
+#[derive(Debug, Serialize)]
+#[cfg_attr(feature = "studies", derive(JsonSchema), schemars(rename = "Table"))]
 pub(super) struct WireTable<'a> {
     /// The field value of the first entry.
     pub(super) first: Written,
@@ -225,23 +229,24 @@ pub(super) struct WireTable<'a> {
 }
 
 /// The answer to a request.
-#[derive(Debug, Deserialize, JsonSchema)]
+#[derive(Debug, Deserialize)]
+#[cfg_attr(feature = "studies", derive(JsonSchema))]
 #[serde(deny_unknown_fields)]
 pub(super) struct Radiance {
     #[serde(rename = "type")]
     #[expect(dead_code, reason = "there is no other value")]
     tag: RadianceTag,
     /// That of the request.
-    #[schemars(with = "u64")]
+    #[cfg_attr(feature = "studies", schemars(with = "u64"))]
     pub(super) id: Value,
     /// Of every task, in the order of the tasks.
     pub(super) results: Vec<Outcome>,
 }
 
 /// What came of a task: `radiance`, or `error` alone.
-#[derive(Debug, Deserialize, JsonSchema)]
+#[derive(Debug, Deserialize)]
+#[cfg_attr(feature = "studies", derive(JsonSchema), schemars(extend("oneOf" = [{ "required": ["radiance"] }, { "required": ["error"] }])))]
 #[serde(deny_unknown_fields)]
-#[schemars(extend("oneOf" = [{ "required": ["radiance"] }, { "required": ["error"] }]))]
 pub(super) struct Outcome {
     /// Of every channel, in the task's order.
     pub(super) radiance: Option<Vec<Number>>,

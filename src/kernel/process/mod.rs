@@ -16,6 +16,7 @@ mod options;
 mod pipes;
 mod registry;
 mod request;
+#[cfg(feature = "studies")]
 mod schema;
 mod tail;
 pub(crate) mod trouble;
@@ -23,6 +24,7 @@ pub(crate) mod written;
 
 pub use options::Options;
 pub use registry::stop_all;
+#[cfg(feature = "studies")]
 pub use schema::schema;
 
 use super::{Declaration, Kernel, KernelError, Rendering, Task};

@@ -3,9 +3,7 @@
 use rug::float::Special;
 use rug::ops::Pow;
 use rug::{Float, Integer};
-use schemars::{JsonSchema, Schema, SchemaGenerator, json_schema};
 use serde::de::{Deserialize, Deserializer, Error, Visitor};
-use std::borrow::Cow;
 use std::fmt;
 
 /// So many decimal digits are told apart by binary64.
@@ -147,24 +145,5 @@ impl<'de> Deserialize<'de> for Number {
             }
         }
         deserializer.deserialize_any(Read)
-    }
-}
-
-impl JsonSchema for Number {
-    fn schema_name() -> Cow<'static, str> {
-        "Number".into()
-    }
-
-    fn json_schema(_: &mut SchemaGenerator) -> Schema {
-        json_schema!({
-            "description": "Binary64 as a JSON number; anything else as text: a decimal of any length, a hexadecimal float, nan, inf or -inf.",
-            "anyOf": [
-                { "type": "number" },
-                {
-                    "type": "string",
-                    "pattern": "^[-+]?([0-9]+\\.?[0-9]*([eE][-+]?[0-9]+)?|\\.[0-9]+([eE][-+]?[0-9]+)?|0[xX][0-9a-fA-F]+\\.?[0-9a-fA-F]*([pP][-+]?[0-9]+)?|[nN][aA][nN]|[iI][nN][fF]([iI][nN][iI][tT][yY])?)$",
-                },
-            ],
-        })
     }
 }

@@ -1,12 +1,11 @@
 //! Numbers as volver writes them.
 
-use schemars::{JsonSchema, Schema, SchemaGenerator, json_schema};
 use serde::ser::{Serialize, SerializeSeq, Serializer};
-use std::borrow::Cow;
 use std::fmt;
 
 /// How a kernel wants its numbers.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, serde::Deserialize, JsonSchema)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, serde::Deserialize)]
+#[cfg_attr(feature = "studies", derive(schemars::JsonSchema))]
 #[serde(rename_all = "lowercase")]
 pub enum Numbers {
     /// The shortest decimal that is read as the same binary64.
@@ -85,46 +84,5 @@ impl fmt::Display for Hexadecimal {
         let digits = digits.trim_end_matches('0');
         let point = if digits.is_empty() { "" } else { "." };
         write!(f, "{sign}0x{whole}{point}{digits}p{exponent:+}")
-    }
-}
-
-impl JsonSchema for Written {
-    fn schema_name() -> Cow<'static, str> {
-        "Binary64".into()
-    }
-
-    fn json_schema(_: &mut SchemaGenerator) -> Schema {
-        json_schema!({
-            "description": "A binary64: a JSON number, or text if the kernel wants hexadecimal floats, or if it is nan, inf or -inf.",
-            "anyOf": [
-                { "type": "number" },
-                {
-                    "type": "string",
-                    "pattern": "^(-?0x[01](\\.[0-9a-f]+)?p[-+][0-9]+|nan|-?inf)$",
-                },
-            ],
-        })
-    }
-}
-
-impl JsonSchema for Array<'_> {
-    fn schema_name() -> Cow<'static, str> {
-        "Array".into()
-    }
-
-    fn json_schema(generator: &mut SchemaGenerator) -> Schema {
-        let number = generator.subschema_for::<Written>();
-        json_schema!({
-            "anyOf": [
-                { "type": "array", "items": number },
-                {
-                    "description": "The path of a file in NumPy's format: binary64, little-endian, one axis. It is there until the answer.",
-                    "type": "object",
-                    "properties": { "npy": { "type": "string" } },
-                    "required": ["npy"],
-                    "additionalProperties": false,
-                },
-            ],
-        })
     }
 }

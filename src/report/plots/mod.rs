@@ -4,15 +4,11 @@
 //! Marks stand at levels, filled where the order was fitted; one that points down is an error below 0, so that sign changes
 //! show. An error that is 0, NaN or infinite has no logarithm: the curve breaks there, and the legend says the verdict.
 
-#[cfg(feature = "studies")]
 mod case;
 mod convergence;
-#[cfg(feature = "studies")]
 mod sample;
-#[cfg(feature = "studies")]
 mod thin;
 
-#[cfg(feature = "studies")]
 pub use case::of_case;
 pub use convergence::of_convergence;
 

@@ -1,18 +1,23 @@
 //! A kernel put to the test: rows as they come, what they say in all, JSON, `JUnit` XML.
 
+#[cfg(feature = "studies")]
 mod json;
+#[cfg(feature = "studies")]
 mod junit;
 mod rows;
 mod words;
 
+#[cfg(feature = "studies")]
 pub use json::json;
+#[cfg(feature = "studies")]
 pub use junit::junit;
 pub use rows::{heading, row};
 
+#[cfg(feature = "studies")]
 use super::plots;
 use crate::diagnosis::Fingerprint;
 use crate::document::{
-    self, About, Block, Cell, Column, Document, Fact, Figure, Medium, Section, Table, Tone,
+    self, About, Block, Cell, Column, Document, Fact, Medium, Section, Table, Tone,
 };
 use crate::method::Expected;
 #[cfg(feature = "studies")]
@@ -44,13 +49,15 @@ pub fn document(verification: &Verification, about: &About) -> Document {
     let said = document::Conclusion::new(conclusion(verification));
     document.conclusion = Some(said.toned(tone));
     let lines = &verification.lines;
-    document.sections = vec![
+    document.sections = [
         Section::of(
             "findings",
             "What the values say",
             said_by_values(verification),
         ),
         Section::of("channels", "Channels", channels(lines)),
+        // A terminal shows no plots.
+        #[cfg(feature = "studies")]
         Section::of(
             "plots",
             "Errors against segments",
@@ -62,7 +69,8 @@ pub fn document(verification: &Verification, about: &About) -> Document {
             [run(verification).only(Medium::Written)],
         ),
         legend(verification),
-    ];
+    ]
+    .into();
     document
 }
 
@@ -166,6 +174,7 @@ fn written(line: &Line) -> Vec<Cell> {
 }
 
 /// The convergence of one channel, where there is any error that logarithmic axes can show.
+#[cfg(feature = "studies")]
 fn plot(line: &Line) -> Option<Block> {
     let Measured::Fitted { fit, samples } = &line.measured else {
         return None;
@@ -173,7 +182,7 @@ fn plot(line: &Line) -> Option<Block> {
     let mut errors = samples.iter().map(|sample| &sample.error);
     errors.find(|error| error.is_finite() && !error.is_zero())?;
     let plot = plots::of_convergence(samples, fit, &line.name);
-    let figure = Figure::new(line.name.replace('/', "-"), &line.name, [plot]);
+    let figure = document::Figure::new(line.name.replace('/', "-"), &line.name, [plot]);
     Some(Block::Figure(figure))
 }
 

@@ -1,6 +1,6 @@
 //! What a kernel showed once, to compare with what it shows now.
 
-use super::{Axis, Conclusion, Line, Settings, SettingsError, Standing, Verification};
+use super::{Axis, Line, Settings, SettingsError, Standing, Verification};
 use crate::convergence::Ladder;
 use serde::{Deserialize, Serialize};
 use std::collections::BTreeSet;
@@ -317,18 +317,5 @@ impl BaselineLine {
             now: now.shown(),
             better: other && now.standing == "confirmed",
         })
-    }
-}
-
-/// The exit code's part: whether anything moved but for the better.
-impl Conclusion {
-    /// Its name, as in JSON.
-    #[must_use]
-    pub fn name(self) -> &'static str {
-        match self {
-            Conclusion::Confirmed => "confirmed",
-            Conclusion::NotConfirmed => "not confirmed",
-            Conclusion::CouldNotRun => "could not run",
-        }
     }
 }

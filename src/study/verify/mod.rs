@@ -1,6 +1,7 @@
 //! A kernel put to the test: its orders on cases with known radiance, and what its values say it computes.
 
 mod asked;
+#[cfg(feature = "studies")]
 mod baseline;
 mod expectation;
 mod explain;
@@ -10,6 +11,7 @@ mod settings;
 pub(crate) mod standing;
 mod truth;
 
+#[cfg(feature = "studies")]
 pub use baseline::{Baseline, BaselineError, BaselineLine, Moved};
 pub use explain::Finding;
 pub use line::{Failure, Line, Measured};
@@ -81,6 +83,18 @@ impl Verification {
             Conclusion::NotConfirmed
         } else {
             Conclusion::Confirmed
+        }
+    }
+}
+
+impl Conclusion {
+    /// Its name, as in JSON.
+    #[must_use]
+    pub fn name(self) -> &'static str {
+        match self {
+            Conclusion::Confirmed => "confirmed",
+            Conclusion::NotConfirmed => "not confirmed",
+            Conclusion::CouldNotRun => "could not run",
         }
     }
 }
