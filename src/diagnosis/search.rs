@@ -112,9 +112,10 @@ impl<'a> Search<'a> {
         let probes = self.probes();
         let candidates = recipes();
         let screened = parallel::map(&candidates, |candidate| {
-            let recipes = match candidate.free {
-                None => vec![candidate.recipe],
-                Some(free) => solved(&candidate.recipe, free, &probes, accuracy),
+            let recipes = if candidate.is_free {
+                solved(&candidate.recipe, &probes, accuracy)
+            } else {
+                vec![candidate.recipe]
             };
             let models = recipes.into_iter().flat_map(|recipe| {
                 let explained = explained(&recipe, self.watched, SCREENED, accuracy);
@@ -251,7 +252,7 @@ impl<'a> Search<'a> {
         let stops = || std::iter::once(None).chain(USUAL.into_iter().map(Some));
         let simple = recipes()
             .into_iter()
-            .filter(|candidate| candidate.free.is_none() && candidate.recipe.defects() <= 1);
+            .filter(|candidate| !candidate.is_free && candidate.recipe.defects() <= 1);
         let all: Vec<Recipe> = simple
             .flat_map(|candidate| {
                 roundings.into_iter().flat_map(move |rounding| {
