@@ -21,7 +21,7 @@ pub use sine_squared::SineSquared;
 pub use structure::{Along, Break, END_DERIVATIVES, PolynomialTransfer, Structure};
 pub use symbolic::{Formulas, SymbolicCase};
 
-use crate::real::Real;
+use crate::real::{Real, row};
 use crate::symbolic::{Interval, Program};
 use rug::Rational;
 use std::fmt::Debug;
@@ -53,6 +53,28 @@ pub trait Case: Debug + Send + Sync {
 
     /// C(s) and τ(s), together because they often share work.
     fn transfer<R: Real>(&self, s: &R) -> Transfer<R>;
+
+    /// Whether [`Case::fields`] and [`Case::transfers`] are quicker than one place after the other.
+    const IN_ROWS: bool = false;
+
+    /// s at many places: the bits of [`Case::field`].
+    fn fields<R: Real>(&self, lambda: &[R]) -> Vec<R> {
+        row(lambda.iter().map(|lambda| self.field(lambda)))
+    }
+
+    /// C and τ at many field values: the bits of [`Case::transfer`].
+    fn transfers<R: Real>(&self, s: &[R]) -> Transfer<Vec<R>> {
+        let mut transfers = Transfer {
+            emission: Vec::with_capacity(s.len()),
+            extinction: Vec::with_capacity(s.len()),
+        };
+        for s in s {
+            let one = self.transfer(s);
+            transfers.emission.push(one.emission);
+            transfers.extinction.push(one.extinction);
+        }
+        transfers
+    }
 
     /// τ(s) alone.
     fn extinction<R: Real>(&self, s: &R) -> R {

@@ -14,7 +14,7 @@ pub use replayed::Replayed;
 pub use shared::Shared;
 
 use super::{PolynomialTransfer, Transfer};
-use crate::real::Format;
+use crate::real::{Format, row};
 use rug::Rational;
 use std::fmt::Debug;
 use std::sync::Arc;
@@ -93,6 +93,11 @@ pub trait Nodes: Debug + Sync {
 
     /// τ(s(λ)) at a place that no other run will ask for.
     fn extinction_at(&self, lambda: &Number<Self>) -> Number<Self>;
+
+    /// The same at many such places, in their order.
+    fn extinctions_at(&self, lambda: &[Number<Self>]) -> Vec<Number<Self>> {
+        row(lambda.iter().map(|lambda| self.extinction_at(lambda)))
+    }
 
     /// C and τ at a field value that a method has made up (by interpolation).
     fn transfer(&self, s: &Number<Self>) -> Transfer<Number<Self>>;

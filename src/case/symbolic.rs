@@ -132,6 +132,21 @@ impl Case for SymbolicCase {
         }
     }
 
+    const IN_ROWS: bool = true;
+
+    fn fields<R: Real>(&self, lambda: &[R]) -> Vec<R> {
+        let [fields] = self.inner.field.all(lambda);
+        fields
+    }
+
+    fn transfers<R: Real>(&self, s: &[R]) -> Transfer<Vec<R>> {
+        let [emission, extinction] = self.inner.transfer.all(s);
+        Transfer {
+            emission,
+            extinction,
+        }
+    }
+
     fn extinction<R: Real>(&self, s: &R) -> R {
         only(&self.inner.extinction, s)
     }

@@ -54,19 +54,24 @@ impl KernelArguments {
         self.command.get(1..).unwrap_or_default()
     }
 
-    /// Starts it. Whatever ends this process from the keyboard ends the kernel's too.
-    pub(super) fn start(&self) -> Result<Box<dyn Kernel>, Failure> {
+    /// What need not be started, so that what is wrong with it is said before any work; `None` of a program.
+    pub(super) fn at_once(&self) -> Result<Option<Box<dyn Kernel>>, Failure> {
         if let Some(method) = self.kernel().strip_prefix("method:") {
             self.no_arguments("a method")?;
-            return built_in(method);
+            return built_in(method).map(Some);
         }
         let path = Path::new(self.kernel());
         let extension = path.extension().and_then(|extension| extension.to_str());
         if extension.is_some_and(|extension| LIBRARIES.contains(&extension)) {
             self.no_arguments("a library")?;
             let library = LibraryKernel::open(path).map_err(|error| self.failed(error))?;
-            return Ok(Box::new(library));
+            return Ok(Some(Box::new(library)));
         }
+        Ok(None)
+    }
+
+    /// Starts the program. Whatever ends this process from the keyboard ends the kernel's too.
+    pub(super) fn program(&self) -> Result<Box<dyn Kernel>, Failure> {
         let options = Options {
             start_timeout: Duration::from_secs_f64(self.start_timeout),
             timeout: Duration::from_secs_f64(self.timeout),
@@ -129,12 +134,16 @@ fn loaded(asked: &[String]) -> Result<Vec<Subject>, Failure> {
         }
     };
     for one in asked {
+        // Looking for tags reads the whole catalogue.
+        if catalogue::text(one).is_some() {
+            add(one);
+            continue;
+        }
         let tagged = tagged(one.strip_prefix('@').unwrap_or(one));
-        let is_name = catalogue::text(one).is_some();
         if one.starts_with('@') && tagged.is_empty() {
             return Err(no_tag(one));
         }
-        if is_name || tagged.is_empty() {
+        if tagged.is_empty() {
             add(one);
         } else {
             for name in tagged {

@@ -107,9 +107,10 @@ impl Verify {
         settings.uneven = self.uneven;
         settings.expect.clone_from(&self.expect);
         settings.replicas = self.replicas.unwrap_or(REPLICAS);
+        let at_once = self.kernel.at_once()?;
         let subjects = subjects(&self.cases, "--cases")?;
         output.check()?;
-        let mut kernel = self.kernel.start()?;
+        let mut kernel = at_once.map_or_else(|| self.kernel.program(), Ok)?;
         let mut rows = Rows::new(output.prints_text(), self.color);
         let verification = rows.run(kernel.as_mut(), &subjects, &settings, &self.kernel)?;
         // The child is gone before the last word.

@@ -1,6 +1,5 @@
 //! The recipes and methods that a kernel's values are compared with.
 
-use super::parameter::Free;
 use super::{EmissionModel, End, Ends, OpacityModel, Places, Recipe};
 use crate::method::{
     Color, Exponential, Inner, Integration, Interpolant, LastSegment, Method, Nested, Opacity,
@@ -15,7 +14,8 @@ const SKIPPED: [f64; 8] = [1e-4, 1e-3, 1e-2, 1.0 / 255.0, 1e-5, 1.0 / 256.0, 1e-
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Candidate {
     pub(super) recipe: Recipe,
-    pub(super) free: Option<Free>,
+    /// Its opacity has one: a reference length, or a factor of the depth.
+    pub(super) is_free: bool,
 }
 
 /// Everything that may be wrong in compositing, in every combination; without stops and accumulators, which
@@ -53,7 +53,7 @@ pub(super) fn recipes() -> Vec<Candidate> {
                 swapped,
                 ..Recipe::default()
             },
-            free: None,
+            is_free: false,
         })
     }));
     all
@@ -82,7 +82,7 @@ fn of_opacities(recipe: &Recipe) -> impl Iterator<Item = Candidate> {
     let recipe = *recipe;
     let with = move |opacity| Candidate {
         recipe: Recipe { opacity, ..recipe },
-        free: None,
+        is_free: false,
     };
     let known = [
         OpacityModel::Exact,
@@ -93,12 +93,12 @@ fn of_opacities(recipe: &Recipe) -> impl Iterator<Item = Candidate> {
         threshold,
         length: 1.0,
     });
-    let free = [Free::Length, Free::Factor].map(|free| Candidate {
+    let free = Candidate {
         recipe,
-        free: Some(free),
-    });
+        is_free: true,
+    };
     let known = known.into_iter().chain(skipped).map(with);
-    known.chain(free)
+    known.chain([free])
 }
 
 /// Methods of this crate that are no compositing of one sample a segment: nested rules and pre-integration.

@@ -43,7 +43,7 @@ pub fn likeness(watched: &Watched, exact: f64) -> Option<Likeness> {
         };
         levels.filter(explains).count()
     };
-    let candidates = recipes().into_iter().filter(|one| one.free.is_none());
+    let candidates = recipes().into_iter().filter(|one| !one.is_free);
     let sampled = candidates
         .map(|one| one.recipe)
         .filter(|recipe| recipe.places.is_one_sample() && recipe.defects() <= 1);

@@ -6,7 +6,6 @@ use super::{EmissionModel, End, Ends, OpacityModel, Places, Ray, Recipe};
 use crate::case::Transfer;
 use crate::method::OpacityFormula;
 use crate::real::{Format, Real};
-use rug::Rational;
 use std::convert::identity;
 
 /// The length that renderers give the last segment to make a wall of it: what absorbs nothing stays clear.
@@ -17,16 +16,6 @@ pub const WALL_LENGTH: i64 = 10_000_000_000;
 pub(super) struct Step<R> {
     pub(super) adds: R,
     pub(super) passes: R,
-}
-
-/// A parameter of a recipe in a format.
-fn parameter<F: Format>(format: F, value: f64) -> F::Real {
-    if value == 0.0 {
-        // Most recipes have none, and rationals cost more than a short ray.
-        return format.int(0);
-    }
-    let exact = Rational::from_f64(value).unwrap_or_default();
-    format.ratio(&exact)
 }
 
 /// The recipe's radiance of the ray; what is accumulated goes through `keep` after every segment.
@@ -49,7 +38,7 @@ fn composited<R: Real>(
     formula: OpacityFormula,
     keep: impl Fn(R) -> R,
 ) -> R {
-    let stop = recipe.stop.map(|stop| parameter(format, stop));
+    let stop = recipe.stop.map(|stop| format.binary64(stop));
     let mut radiance = format.int(0);
     let mut transmittance = format.int(1);
     for step in steps_by(recipe, ray, format, formula) {
@@ -178,8 +167,8 @@ impl<R: Real> Opacity<R> {
         };
         Opacity {
             model,
-            parameter: parameter(format, of_length),
-            threshold: parameter(format, threshold),
+            parameter: format.binary64(of_length),
+            threshold: format.binary64(threshold),
             one: format.int(1),
             formula,
         }

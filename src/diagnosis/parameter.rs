@@ -11,9 +11,9 @@ const BETWEEN: i32 = 3;
 /// Halvings of what contains a root.
 const HALVINGS: u32 = 60;
 
-/// Opacity models with a parameter still to be found.
+/// Opacity models with a parameter to be found.
 #[derive(Clone, Copy, Debug)]
-pub(super) enum Free {
+enum Free {
     /// ℓ of [`OpacityModel::Uncorrected`].
     Length,
     /// κ of [`OpacityModel::Rescaled`].
@@ -21,6 +21,8 @@ pub(super) enum Free {
 }
 
 impl Free {
+    const ALL: [Free; 2] = [Free::Length, Free::Factor];
+
     /// The model in which the depths of segments of length `step` are multiplied by `factor`.
     fn model(self, factor: f64, step: f64) -> OpacityModel {
         match self {
@@ -33,44 +35,72 @@ impl Free {
 }
 
 /// Recipes with a parameter that makes one level of one channel agree, and a further level too.
-pub(super) fn solved(
-    recipe: &Recipe,
-    free: Free,
-    probes: &[&Watched],
-    accuracy: Accuracy,
-) -> Vec<Recipe> {
+pub(super) fn solved(recipe: &Recipe, probes: &[&Watched], accuracy: Accuracy) -> Vec<Recipe> {
+    let solved: Vec<_> = probes
+        .iter()
+        .filter_map(|probe| Solved::new(recipe, probe))
+        .collect();
     let mut found: Vec<Recipe> = Vec::new();
-    for probe in probes {
-        let [coarse, next, ..] = &probe.levels[..] else {
-            continue;
-        };
-        let Some(step) = coarse.ray.lengths.first() else {
-            continue;
-        };
-        for factor in factors(recipe, coarse) {
-            let with = |opacity| Recipe { opacity, ..*recipe };
-            let mut solved = with(free.model(factor, *step));
-            // A parameter is a round number more often than not.
-            let round = with(free.model(rounded(factor * step) / step, *step));
-            let is_round = |one: &Recipe| coarse.agrees(value(one, coarse), probe.scale, accuracy);
-            if matches!(free, Free::Length) && is_round(&round) {
-                solved = round;
-            }
-            let round = with(free.model(rounded(factor), *step));
-            if matches!(free, Free::Factor) && is_round(&round) {
-                solved = round;
-            }
-            if solved.opacity == free.model(1.0, *step) {
-                // Corrected as it should be.
-                continue;
-            }
-            let agrees = next.agrees(value(&solved, next), probe.scale, accuracy);
-            if agrees && !found.contains(&solved) {
-                found.push(solved);
+    for free in Free::ALL {
+        for recipe in solved
+            .iter()
+            .flat_map(|one| one.recipes(recipe, free, accuracy))
+        {
+            if !found.contains(&recipe) {
+                found.push(recipe);
             }
         }
     }
     found
+}
+
+/// The two coarsest levels of a channel, and the factors with which the first agrees.
+struct Solved<'a> {
+    coarse: &'a WatchedLevel,
+    next: &'a WatchedLevel,
+    scale: f64,
+    step: f64,
+    factors: Vec<f64>,
+}
+
+impl<'a> Solved<'a> {
+    fn new(recipe: &Recipe, probe: &'a Watched) -> Option<Self> {
+        let [coarse, next, ..] = &probe.levels[..] else {
+            return None;
+        };
+        Some(Solved {
+            coarse,
+            next,
+            scale: probe.scale,
+            step: *coarse.ray.lengths.first()?,
+            factors: factors(recipe, coarse),
+        })
+    }
+
+    /// Those with that parameter that agree at the next level too.
+    fn recipes(&self, recipe: &Recipe, free: Free, accuracy: Accuracy) -> Vec<Recipe> {
+        let with = |opacity| Recipe { opacity, ..*recipe };
+        let agrees = |recipe: &Recipe, level: &WatchedLevel| {
+            level.agrees(value(recipe, level), self.scale, accuracy)
+        };
+        let of_factor = |factor: &f64| {
+            // A parameter is a round number more often than not.
+            let round = match free {
+                Free::Length => rounded(factor * self.step) / self.step,
+                Free::Factor => rounded(*factor),
+            };
+            let round = with(free.model(round, self.step));
+            let solved = if agrees(&round, self.coarse) {
+                round
+            } else {
+                with(free.model(*factor, self.step))
+            };
+            // Corrected as it should be.
+            let as_it_should_be = solved.opacity == free.model(1.0, self.step);
+            (!as_it_should_be && agrees(&solved, self.next)).then_some(solved)
+        };
+        self.factors.iter().filter_map(of_factor).collect()
+    }
 }
 
 /// To nine digits.

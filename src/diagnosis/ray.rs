@@ -26,27 +26,18 @@ impl<R: Real> Ray<R> {
     /// The channel of that index, its binary64 values rounded to `format`; lengths are rounded once.
     #[must_use]
     pub fn new(segments: &Segments, channel: usize, format: R::Format) -> Self {
-        let number = |x: f64| Rational::from_f64(x).map(|x| format.ratio(&x));
-        // Not a number is none in any format.
-        let number = |x: f64| number(x).unwrap_or_else(|| format.int(0) / &format.int(0));
         let transfers = |samples: &crate::kernel::Samples| {
             let emission = samples.emission.get(channel).into_iter().flatten();
             let both = samples.extinction.iter().zip(emission);
             let both = both.map(|(&extinction, &emission)| Transfer {
-                emission: number(emission),
-                extinction: number(extinction),
+                emission: format.binary64(emission),
+                extinction: format.binary64(extinction),
             });
             both.collect()
         };
         let lambdas = &segments.edges.lambda;
         let ends = lambdas.iter().zip(lambdas.iter().skip(1));
-        let lengths = ends.map(|(&near, &far)| {
-            let exact = Rational::from_f64(far).zip(Rational::from_f64(near));
-            exact.map_or_else(
-                || number(f64::NAN),
-                |(far, near)| format.ratio(&(far - near)),
-            )
-        });
+        let lengths = ends.map(|(&near, &far)| difference(far, near, format));
         Ray {
             lengths: lengths.collect(),
             edges: transfers(&segments.edges),
@@ -87,4 +78,20 @@ impl<R: Real> Ray<R> {
             length: self.lengths.first()?.clone(),
         })
     }
+}
+
+/// far − near, rounded once.
+fn difference<F: Format>(far: f64, near: f64, format: F) -> F::Real {
+    let rounded = far - near;
+    // What rounding took (Knuth's two-sum): nothing of neighbours on a ray, but for the very first.
+    let taken = far - rounded;
+    let lost = (far - (rounded + taken)) - (near - taken);
+    if lost == 0.0 {
+        return format.binary64(rounded);
+    }
+    let exact = Rational::from_f64(far).zip(Rational::from_f64(near));
+    exact.map_or_else(
+        || format.binary64(f64::NAN),
+        |(far, near)| format.ratio(&(far - near)),
+    )
 }

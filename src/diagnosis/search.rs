@@ -112,9 +112,10 @@ impl<'a> Search<'a> {
         let probes = self.probes();
         let candidates = recipes();
         let screened = parallel::map(&candidates, |candidate| {
-            let recipes = match candidate.free {
-                None => vec![candidate.recipe],
-                Some(free) => solved(&candidate.recipe, free, &probes, accuracy),
+            let recipes = if candidate.is_free {
+                solved(&candidate.recipe, &probes, accuracy)
+            } else {
+                vec![candidate.recipe]
             };
             let models = recipes.into_iter().flat_map(|recipe| {
                 let explained = explained(&recipe, self.watched, SCREENED, accuracy);
@@ -201,10 +202,11 @@ impl<'a> Search<'a> {
             let mut agrees = vec![true; methods.len()];
             for level in watched.levels.iter().take(SCREENED) {
                 let mut shared = level.uniform.map(|n| Level::new(*nodes, n));
-                for (method, agrees) in methods.iter().zip(&mut agrees) {
+                let both = methods.iter().zip(&mut agrees);
+                // What is off at a coarser level need not be computed at a finer one.
+                for (method, agrees) in both.filter(|(_, agrees)| **agrees) {
                     let value = shared.as_mut().and_then(|l| l.radiance(method).ok());
-                    *agrees =
-                        *agrees && value.is_some_and(|v| level.agrees(v, watched.scale, accuracy));
+                    *agrees = value.is_some_and(|v| level.agrees(v, watched.scale, accuracy));
                 }
             }
             agrees
@@ -222,18 +224,23 @@ impl<'a> Search<'a> {
         let mut agrees = Vec::new();
         let mut compared = 0;
         for (index, (watched, nodes)) in self.watched.iter().zip(&self.nodes).enumerate() {
-            let values = values(&model, watched, nodes);
-            let Some(values) = values else { continue };
+            let Some(values) = values(&model, watched, nodes) else {
+                continue;
+            };
             compared += 1;
-            let both = watched.levels.iter().zip(&values);
-            let together = both.clone().all(|(level, value)| {
+            // One by one, coarse levels first: most models are off there already.
+            let mut worst = Some(MOST_DIGITS);
+            for (level, value) in watched.levels.iter().zip(values) {
                 let accuracy = in_quanta(&model, level, accuracy);
-                level.agrees(*value, watched.scale, accuracy)
-            });
-            if together {
+                if !level.agrees(value, watched.scale, accuracy) {
+                    worst = None;
+                    break;
+                }
+                worst = worst.map(|worst| worst.min(correct_digits(level.value, value)));
+            }
+            if let Some(worst) = worst {
                 agrees.push(index);
-                let worst = both.map(|(level, value)| correct_digits(level.value, *value));
-                digits.push(worst.fold(MOST_DIGITS, f64::min));
+                digits.push(worst);
             }
         }
         digits.sort_by(f64::total_cmp);
@@ -251,7 +258,7 @@ impl<'a> Search<'a> {
         let stops = || std::iter::once(None).chain(USUAL.into_iter().map(Some));
         let simple = recipes()
             .into_iter()
-            .filter(|candidate| candidate.free.is_none() && candidate.recipe.defects() <= 1);
+            .filter(|candidate| !candidate.is_free && candidate.recipe.defects() <= 1);
         let all: Vec<Recipe> = simple
             .flat_map(|candidate| {
                 roundings.into_iter().flat_map(move |rounding| {

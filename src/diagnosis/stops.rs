@@ -59,11 +59,13 @@ fn ended(recipe: &Recipe, level: &WatchedLevel, scale: f64, accuracy: Accuracy) 
     let (mut radiance, mut transmittance) = (0.0, 1.0);
     let mut thresholds: Option<Thresholds> = None;
     let mut whole = false;
+    let tolerance = accuracy.tolerances(level, scale);
     for (k, step) in steps.iter().enumerate() {
         let before = transmittance;
         radiance += step.adds * transmittance;
         transmittance *= step.passes;
-        if !level.agrees(radiance, scale, accuracy) {
+        let agrees = (level.value - radiance).abs() <= tolerance(radiance);
+        if !agrees {
             continue;
         }
         // A ray that ends here has T under the threshold now, and had not before.

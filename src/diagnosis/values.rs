@@ -27,22 +27,20 @@ pub(super) fn in_quanta(model: &Model, level: &WatchedLevel, accuracy: Accuracy)
     }
 }
 
-/// The model's values at all levels, with the nodes of the channel's case; `None` where it has none for one of them.
-pub(super) fn values<N: Nodes<Format = Native<f64>>>(
-    model: &Model,
-    watched: &Watched,
+/// The model's values at all levels, with the nodes of the channel's case, those of a recipe as they are asked for;
+/// `None` where it has none for one of them.
+pub(super) fn values<'v, N: Nodes<Format = Native<f64>>>(
+    model: &'v Model,
+    watched: &'v Watched,
     nodes: &N,
-) -> Option<Vec<f64>> {
+) -> Option<Box<dyn Iterator<Item = f64> + 'v>> {
+    let levels = watched.levels.iter();
     match model {
-        Model::Recipe(recipe) => {
-            let levels = watched.levels.iter();
-            Some(levels.map(|level| of_recipe(recipe, level)).collect())
-        }
+        Model::Recipe(recipe) => Some(Box::new(levels.map(|level| of_recipe(recipe, level)))),
         Model::Method(method) => {
-            let levels = watched.levels.iter();
-            levels
-                .map(|level| method.radiance(nodes, level.uniform?).ok())
-                .collect()
+            let values = levels.map(|level| method.radiance(nodes, level.uniform?).ok());
+            let values: Option<Vec<f64>> = values.collect();
+            Some(Box::new(values?.into_iter()))
         }
     }
 }

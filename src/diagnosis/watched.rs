@@ -70,10 +70,17 @@ impl Accuracy {
     /// 1 − e^(−x) is wrong by up to u, whatever its size: n u max C in all.
     #[must_use]
     pub fn tolerance(self, level: &WatchedLevel, scale: f64, model: f64) -> f64 {
+        self.tolerances(level, scale)(model)
+    }
+
+    /// The same for many models, all but their values being looked at once.
+    pub(super) fn tolerances(self, level: &WatchedLevel, scale: f64) -> impl Fn(f64) -> f64 {
         let n = level.ray.count() as f64;
-        let size = scale.max(model.abs());
         let of_opacities = 2.0 * n * level.ray.largest_emission();
-        self.unit * ((32.0 + 4.0 * n) * size + of_opacities) + 0.5001 * self.quantum
+        move |model| {
+            let size = scale.max(model.abs());
+            self.unit * ((32.0 + 4.0 * n) * size + of_opacities) + 0.5001 * self.quantum
+        }
     }
 }
 

@@ -1,5 +1,7 @@
 //! How a ray is cut into segments.
 
+use crate::case::nodes::grid::Grid;
+use crate::real::{Format, Native};
 use rug::Rational;
 
 /// The most segments that one task may have: their values are written out.
@@ -12,6 +14,14 @@ pub enum Cut {
     Segments(u64),
     /// Segments of that length, the last one shorter where it does not divide the ray.
     Step(f64),
+}
+
+/// Where a ray that is cut is looked at.
+pub(super) struct Places {
+    /// The ends of segments, from the eye on.
+    pub(super) edges: Vec<f64>,
+    /// The middles of segments.
+    pub(super) middles: Vec<f64>,
 }
 
 /// A level that no task can have.
@@ -58,5 +68,41 @@ impl Cut {
             return Err(CutError::Segments { segments });
         }
         Ok((step, segments))
+    }
+
+    /// The ends and the middles of the segments of a ray of that length, each rounded once.
+    ///
+    /// # Errors
+    /// As [`Cut::on`].
+    pub(super) fn places(self, length: &Rational) -> Result<Places, CutError> {
+        let (step, count) = self.on(length)?;
+        let format = Native::<f64>::new();
+        let grid = match self {
+            Cut::Segments(_) => Grid::new(length, 2 * count, &Rational::new()),
+            Cut::Step(_) => None,
+        };
+        let edge = |i: u64| {
+            if i == count {
+                length.clone()
+            } else {
+                Rational::from(&step * i)
+            }
+        };
+        let at_half_steps = |half_steps: u64| match &grid {
+            Some(grid) => {
+                let (numerator, denominator) = grid.place(half_steps);
+                format.fraction(numerator, denominator)
+            }
+            None if half_steps.is_multiple_of(2) => format.ratio(&edge(half_steps / 2)),
+            // The last segment may be shorter.
+            None => {
+                let i = half_steps / 2;
+                format.ratio(&((edge(i) + edge(i + 1)) / 2_u32))
+            }
+        };
+        Ok(Places {
+            edges: (0..=count).map(|i| at_half_steps(2 * i)).collect(),
+            middles: (0..count).map(|i| at_half_steps(2 * i + 1)).collect(),
+        })
     }
 }

@@ -124,48 +124,38 @@ impl Subject {
     /// # Errors
     /// [`CutError`] where that is not possible.
     pub fn segments(&self, cut: Cut) -> Result<Segments, CutError> {
-        let (step, count) = cut.on(&self.length)?;
-        let format = Native::<f64>::new();
-        let place = |half_steps: u64| match cut {
-            Cut::Segments(_) => Rational::from(&self.length * half_steps) / (2 * count),
-            Cut::Step(_) => Rational::from(&step * half_steps) / 2,
-        };
-        let edge = |i: u64| {
-            if i == count {
-                self.length.clone()
-            } else {
-                place(2 * i)
-            }
-        };
-        let edges = (0..=count).map(|i| format.ratio(&edge(i)));
-        let middles = (0..count).map(|i| {
-            if i + 1 == count {
-                // The last one may be shorter.
-                format.ratio(&((edge(i) + &self.length) / 2_u32))
-            } else {
-                format.ratio(&place(2 * i + 1))
-            }
-        });
+        let places = cut.places(&self.length)?;
         Ok(Segments {
-            edges: self.samples(edges),
-            middles: self.samples(middles),
+            edges: self.samples(places.edges),
+            middles: self.samples(places.middles),
         })
     }
 
-    fn samples(&self, places: impl Iterator<Item = f64>) -> Samples {
-        let mut samples = Samples {
-            emission: vec![Vec::new(); self.cases.len()],
-            ..Samples::default()
-        };
-        let mut emission = vec![0.0; self.cases.len()];
-        for lambda in places {
-            samples.lambda.push(lambda);
-            samples.extinction.push(self.at(lambda, &mut emission));
-            for (all, one) in samples.emission.iter_mut().zip(&emission) {
-                all.push(*one);
-            }
+    fn samples(&self, lambda: Vec<f64>) -> Samples {
+        let (extinction, emission) = self.of_fields(&self.fields(&lambda));
+        Samples {
+            lambda,
+            extinction,
+            emission,
         }
-        samples
+    }
+
+    /// s at many places.
+    fn fields(&self, lambda: &[f64]) -> Vec<f64> {
+        let first = self.cases.first();
+        first.map_or_else(Vec::new, |case| case.fields(lambda))
+    }
+
+    /// τ at many field values, and C there of every channel, in their order.
+    fn of_fields(&self, s: &[f64]) -> (Vec<f64>, Vec<Vec<f64>>) {
+        let mut extinction = Vec::new();
+        let mut emission = Vec::with_capacity(self.cases.len());
+        for case in &self.cases {
+            let transfers = case.transfers(s);
+            emission.push(transfers.emission);
+            extinction = transfers.extinction;
+        }
+        (extinction, emission)
     }
 
     /// The ray through a volume: the field at `cells` + 1 places, and tables of `entries` entries over the
@@ -174,7 +164,7 @@ impl Subject {
     pub fn volume(&self, cells: u64, entries: usize) -> Volume {
         let format = Native::<f64>::new();
         let places = (0..=cells).map(|i| format.ratio(&(Rational::from(&self.length * i) / cells)));
-        let field: Vec<f64> = places.map(|lambda| self.field(lambda)).collect();
+        let field = self.fields(&places.collect::<Vec<f64>>());
         let first = field.iter().copied().fold(f64::INFINITY, f64::min);
         let last = field.iter().copied().fold(f64::NEG_INFINITY, f64::max);
         Volume {
@@ -187,22 +177,17 @@ impl Subject {
     #[must_use]
     pub fn table(&self, first: f64, last: f64, entries: usize) -> Table {
         let intervals = entries.saturating_sub(1).max(1) as f64;
-        let mut table = Table {
+        let values = (0..entries).map(|entry| {
+            let part = entry as f64 / intervals;
+            first * (1.0 - part) + last * part
+        });
+        let (extinction, emission) = self.of_fields(&values.collect::<Vec<f64>>());
+        Table {
             first,
             last,
-            extinction: Vec::with_capacity(entries),
-            emission: vec![Vec::with_capacity(entries); self.cases.len()],
-        };
-        let mut emission = vec![0.0; self.cases.len()];
-        for entry in 0..entries {
-            let part = entry as f64 / intervals;
-            let s = first * (1.0 - part) + last * part;
-            table.extinction.push(self.of_field(s, &mut emission));
-            for (all, one) in table.emission.iter_mut().zip(&emission) {
-                all.push(*one);
-            }
+            extinction,
+            emission,
         }
-        table
     }
 
     /// The case as source code.

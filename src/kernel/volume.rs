@@ -103,19 +103,8 @@ impl Volume {
         cut: Cut,
         lookup: impl Fn(&Table, f64, &mut [f64]) -> f64,
     ) -> Result<Segments, CutError> {
-        let (step, count) = cut.on(length)?;
-        let format = Native::<f64>::new();
-        let edge = |i: u64| {
-            if i == count {
-                length.clone()
-            } else {
-                Rational::from(&step * i)
-            }
-        };
-        let edges: Vec<f64> = (0..=count).map(|i| format.ratio(&edge(i))).collect();
-        let middles = (0..count).map(|i| format.ratio(&((edge(i) + edge(i + 1)) / 2_u32)));
-        let middles: Vec<f64> = middles.collect();
-        let whole = format.ratio(length);
+        let places = cut.places(length)?;
+        let whole = Native::<f64>::new().ratio(length);
         let samples = |lambda: Vec<f64>| {
             let mut samples = Samples {
                 emission: vec![Vec::new(); self.table.emission.len()],
@@ -133,8 +122,8 @@ impl Volume {
             Samples { lambda, ..samples }
         };
         Ok(Segments {
-            edges: samples(edges),
-            middles: samples(middles),
+            edges: samples(places.edges),
+            middles: samples(places.middles),
         })
     }
 

@@ -52,8 +52,22 @@ pub trait Format: Copy + Debug + Display + PartialEq + Send + Sync + 'static {
         self.ratio(&Rational::from((numerator, denominator)))
     }
 
+    /// The binary64 number `x`, rounded once to nearest, −0 as 0; NaN where `x` is not finite.
+    fn binary64(self, x: f64) -> Self::Real {
+        binary64_by_ratio(self, x)
+    }
+
     /// π, rounded once to nearest.
     fn pi(self) -> Self::Real;
+}
+
+/// [`Format::binary64`] for formats that have no shorter way to it.
+fn binary64_by_ratio<F: Format>(format: F, x: f64) -> F::Real {
+    match Rational::from_f64(x) {
+        Some(exact) => format.ratio(&exact),
+        // Not a number is none in any format.
+        None => format.int(0) / &format.int(0),
+    }
 }
 
 /// A number of a [`Format`].

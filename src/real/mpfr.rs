@@ -1,7 +1,7 @@
 //! MPFR of any precision, given at run time.
 
 use super::{Format, Real};
-use rug::float::Constant;
+use rug::float::{Constant, MiniFloat};
 use rug::{Float, Rational};
 use std::fmt::{self, Display};
 use std::ops::{Add, AddAssign, Div, DivAssign, Mul, MulAssign, Neg, Sub, SubAssign};
@@ -90,6 +90,16 @@ impl Format for Mpfr {
     }
     fn ratio(self, q: &Rational) -> MpfrReal {
         MpfrReal(Float::with_val(self.bits, q))
+    }
+    fn fraction(self, numerator: u64, denominator: u64) -> MpfrReal {
+        // The numerator is exact in 64 bits, and the division rounds once.
+        let numerator = MiniFloat::from(numerator);
+        let numerator = numerator.borrow();
+        MpfrReal(Float::with_val(self.bits, &*numerator / denominator))
+    }
+    fn binary64(self, x: f64) -> MpfrReal {
+        let finite = if x.is_finite() { x + 0.0 } else { f64::NAN };
+        MpfrReal(Float::with_val(self.bits, finite))
     }
     fn pi(self) -> MpfrReal {
         MpfrReal(Float::with_val(self.bits, Constant::Pi))

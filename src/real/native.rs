@@ -1,6 +1,6 @@
 //! Native formats: one blanket implementation over [`num_traits::Float`].
 
-use super::{Format, Real};
+use super::{Format, Real, binary64_by_ratio};
 use num_traits::{Float as NumFloat, FloatConst, FromPrimitive};
 use rug::float::Round;
 use rug::ops::AssignRound;
@@ -117,6 +117,15 @@ impl<T: NativeFloat> Format for Native<T> {
     }
 
     fn ratio(self, q: &Rational) -> T {
+        let exact = 1 << self.bits();
+        if let (Some(numerator), Some(denominator)) = (q.numer().to_i64(), q.denom().to_u64())
+            && numerator.unsigned_abs() <= exact
+            && denominator <= exact
+            && let (Some(a), Some(b)) = (T::from_i64(numerator), T::from_u64(denominator))
+        {
+            // Both are exact in T, and division rounds once.
+            return a / b;
+        }
         // Truncate with one guard bit and append a sticky bit: the one rounding to nearest that
         // follows, into T's range with its subnormals, then knows on which side of a tie q lies.
         let mut truncated = Float::new(self.bits() + 1);
@@ -142,6 +151,16 @@ impl<T: NativeFloat> Format for Native<T> {
         } else {
             wide_fraction(self, numerator, denominator)
         }
+    }
+
+    #[inline]
+    fn binary64(self, x: f64) -> T {
+        // Narrower types may be rounded to by way of binary32, and so twice.
+        if self.bits() < f32::MANTISSA_DIGITS || !x.is_finite() {
+            return binary64_by_ratio(self, x);
+        }
+        // Adding 0 takes the sign of −0.
+        T::from_f64(x + 0.0).unwrap_or_else(T::nan)
     }
 
     fn pi(self) -> T {

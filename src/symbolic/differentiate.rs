@@ -1,8 +1,8 @@
 //! Derivatives.
 
 use super::{Branch, Expr, Function, Kind};
+use crate::symbolic::hash::HashMap;
 use rug::Rational;
-use std::collections::HashMap;
 
 impl Expr {
     /// The derivative by `symbol`, all other symbols held constant.
@@ -11,7 +11,7 @@ impl Expr {
     /// in the result. So it is with |x| at 0 and with min and max where both are equal.
     #[must_use]
     pub fn differentiate(&self, symbol: &str) -> Expr {
-        let mut derivatives: HashMap<&Expr, Expr> = HashMap::new();
+        let mut derivatives: HashMap<&Expr, Expr> = HashMap::default();
         for node in self.nodes() {
             let derivative = of_node(node, symbol, &derivatives);
             derivatives.insert(node, derivative);

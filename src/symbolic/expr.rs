@@ -7,10 +7,9 @@ mod power;
 pub use branch::{Branch, Condition, Relation};
 
 use super::function::Function;
+use crate::symbolic::hash::{HashSet, Multiply};
 use power::power_of_number;
 use rug::Rational;
-use std::collections::HashSet;
-use std::collections::hash_map::DefaultHasher;
 use std::fmt::{self, Debug};
 use std::hash::{Hash, Hasher};
 use std::sync::Arc;
@@ -67,7 +66,7 @@ pub enum Kind {
 
 impl Expr {
     fn new(kind: Kind) -> Expr {
-        let mut hasher = DefaultHasher::new();
+        let mut hasher = Multiply::default();
         kind.hash(&mut hasher);
         let hash = hasher.finish();
         Expr(Arc::new(Node { kind, hash }))
@@ -313,7 +312,7 @@ impl Expr {
             order.push(expr);
         }
         let mut order = Vec::new();
-        visit(self, &mut HashSet::new(), &mut order);
+        visit(self, &mut HashSet::default(), &mut order);
         order
     }
 }

@@ -1,7 +1,7 @@
 //! What is certain of an expression from its form alone.
 
 use super::{Expr, Function, Kind};
-use std::collections::HashMap;
+use crate::symbolic::hash::HashMap;
 
 /// What is certain of an expression, whatever real values its symbols have. A `false` says nothing.
 // Four independent certainties, not the states of one thing.
@@ -36,7 +36,7 @@ impl Expr {
     /// What is certain of it from its form alone.
     #[must_use]
     pub fn facts(&self) -> Facts {
-        let mut known: HashMap<&Expr, Facts> = HashMap::new();
+        let mut known: HashMap<&Expr, Facts> = HashMap::default();
         for node in self.nodes() {
             let facts = of_node(node, &|part| known.get(part).copied().unwrap_or_default());
             known.insert(node, facts);

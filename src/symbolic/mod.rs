@@ -7,6 +7,7 @@ mod differentiate;
 mod expr;
 mod facts;
 mod function;
+mod hash;
 mod parse;
 mod print;
 mod program;
@@ -19,6 +20,7 @@ mod taylor;
 pub use expr::{Branch, Condition, Expr, Kind, Relation};
 pub use facts::Facts;
 pub use function::Function;
+pub(crate) use hash::HashMap;
 pub use parse::{
     MAX_BITS, MAX_DEPTH, MAX_EXPONENT, MAX_TEXT, MAX_TOKENS, ParseError, Problem, parse_number,
 };

@@ -17,7 +17,6 @@ pub(crate) mod coefficient;
 mod conjugate;
 mod divide;
 mod exponential;
-mod hash;
 mod multiply;
 mod number;
 mod opaque;

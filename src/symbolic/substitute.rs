@@ -1,7 +1,7 @@
 //! Replacing symbols.
 
 use super::Expr;
-use std::collections::HashMap;
+use crate::symbolic::hash::HashMap;
 
 impl Expr {
     /// Every occurrence of `symbol` replaced by `replacement`.
@@ -23,7 +23,7 @@ impl Expr {
     /// parts up: `replace` sees a node after its parts are rebuilt.
     #[must_use]
     pub fn rebuild(&self, mut replace: impl FnMut(&Expr) -> Option<Expr>) -> Expr {
-        let mut rebuilt: HashMap<&Expr, Expr> = HashMap::new();
+        let mut rebuilt: HashMap<&Expr, Expr> = HashMap::default();
         for node in self.nodes() {
             let parts: Vec<Expr> = node
                 .parts()

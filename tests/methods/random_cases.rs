@@ -18,8 +18,8 @@ use volver::study::{Run, Silent, samples};
 
 /// How many trials, each of a seed of its own.
 const TRIALS: u64 = 300;
-/// At 512 segments errors of order 8 are some 2⁻⁷² of the radiance, far above the floor of 2⁻¹⁴⁷.
-const BITS: u32 = 160;
+/// At 512 segments errors of order 8 are some 2⁻⁷² of the radiance, far above the floor of 2⁻⁹⁹.
+const BITS: u32 = 112;
 const LADDER: [u64; 7] = [8, 16, 32, 64, 128, 256, 512];
 /// Where the verdict may change on finer levels: errors of two orders may cancel at one of those above, and a
 /// small leading coefficient makes a false plateau. So it is with seeds 420 and 1484: orders of 3.07 and

@@ -114,33 +114,41 @@ fn volver(arguments: &[&str]) -> Command {
     command
 }
 
-#[test]
-fn the_command_prints_the_table_and_writes_its_files() {
+/// What the program prints and writes. It takes as long as all other tests of it, so that it runs once.
+pub(crate) struct Told {
+    pub(crate) text: String,
+    json: String,
+    twin: String,
+    has_report: bool,
+}
+
+pub(crate) static TOLD: LazyLock<Told> = LazyLock::new(|| {
     let parent = tempfile::tempdir().unwrap();
     let directory = parent.path().join("new");
     let file = parent.path().join("cells.json");
-    let output = volver(&["--out"])
-        .arg(&directory)
-        .arg("--json")
-        .arg(&file)
-        .assert()
-        .code(0)
-        .stderr("")
-        .get_output()
-        .stdout
-        .clone();
-    let text = String::from_utf8(output).unwrap();
+    let mut command = volver(&["--out"]);
+    command.arg(&directory).arg("--json").arg(&file);
+    let output = command.assert().code(0).stderr("");
+    Told {
+        text: String::from_utf8(output.get_output().stdout.clone()).unwrap(),
+        json: std::fs::read_to_string(&file).unwrap(),
+        twin: std::fs::read_to_string(directory.join("nonsmooth.json")).unwrap(),
+        has_report: directory.join("nonsmooth.md").exists(),
+    }
+});
+
+#[test]
+fn the_command_prints_the_table_and_writes_its_files() {
+    let Told { text, json, .. } = &*TOLD;
     assert!(text.contains("36 cells: 36 agree with theory"), "{text}");
     assert!(
         text.lines().all(|line| line.chars().count() <= 80),
         "{text}"
     );
-    let written = std::fs::read_to_string(&file).unwrap();
-    let document: serde_json::Value = serde_json::from_str(&written).unwrap();
+    let document: serde_json::Value = serde_json::from_str(json).unwrap();
     assert_eq!(document["cells"].as_array().unwrap().len(), 36);
-    let twin = std::fs::read_to_string(directory.join("nonsmooth.json")).unwrap();
-    assert_eq!(twin, written);
-    assert!(directory.join("nonsmooth.md").exists());
+    assert_eq!(TOLD.twin, *json);
+    assert!(TOLD.has_report);
 }
 
 #[test]

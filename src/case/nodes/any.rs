@@ -30,6 +30,7 @@ trait Ask<F: Format>: Debug + Sync {
     fn march_inside(&self, n: u64, offset: Rational) -> Transfers<'_, F>;
     fn beyond(&self, n: u64) -> F::Real;
     fn extinction_at(&self, lambda: &F::Real) -> F::Real;
+    fn extinctions_at(&self, lambda: &[F::Real]) -> Vec<F::Real>;
     fn transfer(&self, s: &F::Real) -> Transfer<F::Real>;
     fn polynomial_transfer(&self) -> Option<&PolynomialTransfer>;
 }
@@ -58,6 +59,9 @@ impl<N: Nodes> Ask<N::Format> for N {
     }
     fn extinction_at(&self, lambda: &Number<N>) -> Number<N> {
         Nodes::extinction_at(self, lambda)
+    }
+    fn extinctions_at(&self, lambda: &[Number<N>]) -> Vec<Number<N>> {
+        Nodes::extinctions_at(self, lambda)
     }
     fn transfer(&self, s: &Number<N>) -> Transfer<Number<N>> {
         Nodes::transfer(self, s)
@@ -93,6 +97,9 @@ impl<F: Format> Nodes for AnyNodes<'_, F> {
     }
     fn extinction_at(&self, lambda: &F::Real) -> F::Real {
         self.0.extinction_at(lambda)
+    }
+    fn extinctions_at(&self, lambda: &[F::Real]) -> Vec<F::Real> {
+        self.0.extinctions_at(lambda)
     }
     fn transfer(&self, s: &F::Real) -> Transfer<F::Real> {
         self.0.transfer(s)

@@ -3,10 +3,13 @@
 use super::grid::Grid;
 use super::{Column, Nodes};
 use crate::case::{Case, PolynomialTransfer, Structure, Transfer};
-use crate::real::Format;
+use crate::real::{Format, row};
 use rug::Rational;
 use std::sync::Arc;
 use std::sync::atomic::{AtomicU64, Ordering};
+
+/// Places that are evaluated at once where a case is quicker so: little memory, whatever the ray.
+const ROW: usize = 64;
 
 /// Every request evaluated anew; counts the nodes.
 #[derive(Debug)]
@@ -39,50 +42,53 @@ impl<'c, C: Case, F: Format> Fresh<'c, C, F> {
         self.evaluations.fetch_add(nodes, Ordering::Relaxed);
     }
 
-    /// Field and transfer functions at D·numerator/denominator, rounded once.
-    #[inline]
-    pub(super) fn at_fraction(
-        &self,
-        (numerator, denominator): (u64, u64),
-    ) -> (F::Real, Transfer<F::Real>) {
-        self.at(&self.format.fraction(numerator, denominator))
+    /// s, C and τ at these places, in their order.
+    fn evaluate(&self, lambda: &[F::Real]) -> Column<F::Real> {
+        let field = self.case.fields(lambda);
+        let Transfer {
+            emission,
+            extinction,
+        } = self.case.transfers(&field);
+        Column {
+            field,
+            emission,
+            extinction,
+        }
     }
 
-    /// The same at D·(j + offset)/n, where that is no quotient of machine integers.
+    /// s, C and τ at D·numerator/denominator for all of these, rounded once.
+    pub(super) fn at_fractions(&self, fractions: &[(u64, u64)]) -> Column<F::Real> {
+        self.count(fractions.len() as u64);
+        let places = fractions.iter().map(|&(p, q)| self.format.fraction(p, q));
+        self.evaluate(&row(places))
+    }
+
+    /// D·(j + offset)/n, where that is no quotient of machine integers.
     #[cold]
-    fn at_exact(&self, n: u64, offset: &Rational, j: u64) -> (F::Real, Transfer<F::Real>) {
+    fn exact_place(&self, n: u64, offset: &Rational, j: u64) -> F::Real {
         let part = Rational::from(offset + j) / n;
-        self.at(&self.format.ratio(&(part * &self.length)))
-    }
-
-    #[inline]
-    fn at(&self, lambda: &F::Real) -> (F::Real, Transfer<F::Real>) {
-        let field = self.case.field(lambda);
-        let transfer = self.case.transfer(&field);
-        (field, transfer)
+        self.format.ratio(&(part * &self.length))
     }
 
     pub(super) fn grid(&self, n: u64, offset: &Rational) -> Option<Grid> {
         Grid::new(&self.length, n, offset)
     }
 
-    /// The places j = 0 … count − 1 of a grid, one after the other.
+    /// The places D·(j + offset)/n, j = 0 … count − 1, one after the other, rounded once.
     #[inline]
-    fn places(
-        &self,
-        n: u64,
-        offset: Rational,
-        count: u64,
-    ) -> impl Iterator<Item = (F::Real, Transfer<F::Real>)> {
+    fn places(&self, n: u64, offset: Rational, count: u64) -> impl Iterator<Item = F::Real> {
         self.count(count);
         let grid = self.grid(n, &offset);
         (0..count).map(move |j| match &grid {
-            Some(grid) => self.at_fraction(grid.place(j)),
-            None => self.at_exact(n, &offset, j),
+            Some(grid) => {
+                let (numerator, denominator) = grid.place(j);
+                self.format.fraction(numerator, denominator)
+            }
+            None => self.exact_place(n, &offset, j),
         })
     }
 
-    /// C and τ at these places.
+    /// C and τ at these places, one after the other.
     #[inline]
     fn transfers(
         &self,
@@ -90,16 +96,44 @@ impl<'c, C: Case, F: Format> Fresh<'c, C, F> {
         offset: Rational,
         count: u64,
     ) -> impl Iterator<Item = Transfer<F::Real>> {
-        let places = self.places(n, offset, count);
-        places.map(|(_, transfer)| transfer)
+        let mut places = self.places(n, offset, count);
+        if C::IN_ROWS {
+            let row_by_row = std::iter::from_fn(move || {
+                let row = row(places.by_ref().take(ROW));
+                let transfers = self.case.transfers(&self.case.fields(&row));
+                (!row.is_empty()).then_some(transfers)
+            });
+            return March::Rows(row_by_row.flat_map(|transfers| {
+                let both = transfers.emission.into_iter().zip(transfers.extinction);
+                both.map(|(emission, extinction)| Transfer {
+                    emission,
+                    extinction,
+                })
+            }));
+        }
+        March::Places(places.map(|lambda| self.case.transfer(&self.case.field(&lambda))))
     }
 
     fn column(&self, n: u64, offset: Rational, count: u64) -> Arc<Column<F::Real>> {
-        let mut column = Column::with_capacity(count);
-        for (field, transfer) in self.places(n, offset, count) {
-            column.push(field, transfer);
+        Arc::new(self.evaluate(&row(self.places(n, offset, count))))
+    }
+}
+
+/// One of two ways along the places of a ray, which gives the same values.
+enum March<A, B> {
+    Places(A),
+    Rows(B),
+}
+
+impl<T, A: Iterator<Item = T>, B: Iterator<Item = T>> Iterator for March<A, B> {
+    type Item = T;
+
+    #[inline]
+    fn next(&mut self) -> Option<T> {
+        match self {
+            March::Places(places) => places.next(),
+            March::Rows(rows) => rows.next(),
         }
-        Arc::new(column)
     }
 }
 
@@ -139,6 +173,13 @@ impl<C: Case, F: Format> Nodes for Fresh<'_, C, F> {
     fn extinction_at(&self, lambda: &F::Real) -> F::Real {
         self.count(1);
         self.case.extinction(&self.case.field(lambda))
+    }
+
+    fn extinctions_at(&self, lambda: &[F::Real]) -> Vec<F::Real> {
+        // Counted at once: threads that share the nodes would wait for one another at every place.
+        self.count(lambda.len() as u64);
+        let fields = self.case.fields(lambda);
+        row(fields.iter().map(|s| self.case.extinction(s)))
     }
 
     fn transfer(&self, s: &F::Real) -> Transfer<F::Real> {

@@ -3,9 +3,9 @@
 use super::grid::Grid;
 use super::{Column, Fresh, Nodes, transfers};
 use crate::case::{Case, PolynomialTransfer, Transfer};
-use crate::real::Format;
+use crate::real::{Format, row};
+use crate::symbolic::HashMap;
 use rug::Rational;
-use std::collections::HashMap;
 use std::fmt::{self, Debug};
 use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
 
@@ -29,8 +29,8 @@ impl<'c, C: Case, F: Format> Shared<'c, C, F> {
         Shared {
             fresh: Fresh::new(case, format),
             cache: Mutex::new(Cache {
-                values: HashMap::new(),
-                columns: HashMap::new(),
+                values: HashMap::default(),
+                columns: HashMap::default(),
             }),
         }
     }
@@ -54,10 +54,7 @@ impl<'c, C: Case, F: Format> Shared<'c, C, F> {
             return Arc::clone(column);
         }
         let grid = self.fresh.grid(n, offset.unwrap_or(&Rational::new()));
-        let evaluate = |place| {
-            self.fresh.count(1);
-            self.fresh.at_fraction(place)
-        };
+        let evaluate = |places: &[(u64, u64)]| self.fresh.at_fractions(places);
         let column = match (grid, offset) {
             (Some(grid), None) => cache.gather(&grid, n + 1, &evaluate),
             (Some(grid), Some(_)) => cache.gather(&grid, n, &evaluate),
@@ -79,21 +76,29 @@ impl<R> Debug for Cache<R> {
 }
 
 impl<R: Clone> Cache<R> {
-    /// The places of a grid; `evaluate` is asked for those that are not kept yet.
+    /// The places of a grid; `evaluate` is asked for those that are not kept yet, all at once.
     fn gather(
         &mut self,
         grid: &Grid,
         count: u64,
-        evaluate: &dyn Fn((u64, u64)) -> (R, Transfer<R>),
+        evaluate: &dyn Fn(&[(u64, u64)]) -> Column<R>,
     ) -> Arc<Column<R>> {
+        let places = row((0..count).map(|j| in_lowest_terms(grid.place(j))));
+        let is_new = |place: &&(u64, u64)| !self.values.contains_key(*place);
+        let new = row(places.iter().filter(is_new).copied());
+        let evaluated = evaluate(&new);
+        let transfers = evaluated.emission.into_iter().zip(evaluated.extinction);
+        let transfers = transfers.map(|(emission, extinction)| Transfer {
+            emission,
+            extinction,
+        });
+        let values = evaluated.field.into_iter().zip(transfers);
+        self.values.extend(new.into_iter().zip(values));
         let mut column = Column::with_capacity(count);
-        for j in 0..count {
-            let (numerator, denominator) = grid.place(j);
-            let common = gcd(numerator, denominator);
-            let key = (numerator / common, denominator / common);
-            let kept = self.values.entry(key);
-            let (field, transfer) = kept.or_insert_with(|| evaluate(key));
-            column.push(field.clone(), transfer.clone());
+        for place in &places {
+            if let Some((field, transfer)) = self.values.get(place) {
+                column.push(field.clone(), transfer.clone());
+            }
         }
         Arc::new(column)
     }
@@ -130,6 +135,10 @@ impl<C: Case, F: Format> Nodes for Shared<'_, C, F> {
         self.fresh.extinction_at(lambda)
     }
 
+    fn extinctions_at(&self, lambda: &[F::Real]) -> Vec<F::Real> {
+        self.fresh.extinctions_at(lambda)
+    }
+
     fn transfer(&self, s: &F::Real) -> Transfer<F::Real> {
         self.fresh.transfer(s)
     }
@@ -137,6 +146,12 @@ impl<C: Case, F: Format> Nodes for Shared<'_, C, F> {
     fn polynomial_transfer(&self) -> Option<&PolynomialTransfer> {
         self.fresh.polynomial_transfer()
     }
+}
+
+/// The same fraction in lowest terms.
+fn in_lowest_terms((numerator, denominator): (u64, u64)) -> (u64, u64) {
+    let common = gcd(numerator, denominator);
+    (numerator / common, denominator / common)
 }
 
 /// The greatest common divisor; of 0 and b it is b.

@@ -71,14 +71,15 @@ fn shared<N: Nodes>(draws: &mut Draws, nodes: &N, n: u64, offset: &Rational) -> 
     let length = format.ratio(nodes.length());
     let step = format.ratio(&(Rational::from(nodes.length()) / n));
     let mut segments: Vec<Number<N>> = row((0..n).map(|_| format.int(0)));
-    for _ in 0..n {
+    let before = row((0..n).filter_map(|_| {
         let draw = draws.draw();
         let (segment, part) = draw.segment(n);
-        if part < *offset {
-            let tau = nodes.extinction_at(&(draw.at(format) * &length));
-            if let Some(sum) = segments.get_mut(segment) {
-                *sum += &tau;
-            }
+        (part < *offset).then_some((draw, segment))
+    }));
+    let places = row(before.iter().map(|(draw, _)| draw.at(format) * &length));
+    for ((_, segment), tau) in before.iter().zip(nodes.extinctions_at(&places)) {
+        if let Some(sum) = segments.get_mut(*segment) {
+            *sum += &tau;
         }
     }
     for sum in &mut segments {
@@ -92,20 +93,22 @@ fn stratified<N: Nodes>(draws: &mut Draws, nodes: &N, n: u64, offset: &Rational)
     let format = nodes.format();
     let length = format.ratio(nodes.length());
     let width = format.ratio(&(Rational::from(offset * nodes.length()) / n));
-    row((0..n).map(|j| {
+    let places = row((0..n).map(|j| {
         let front = format.fraction(j, n) * &length;
-        let lambda = draws.draw().at(format) * &width + &front;
-        nodes.extinction_at(&lambda) * &width
-    }))
+        draws.draw().at(format) * &width + &front
+    }));
+    let extinctions = nodes.extinctions_at(&places).into_iter();
+    row(extinctions.map(|tau| tau * &width))
 }
 
 /// The depth up to λ = D·position from n samples on [0, λ).
 fn independent<N: Nodes>(draws: &mut Draws, nodes: &N, n: u64, position: &Rational) -> Number<N> {
     let format = nodes.format();
     let lambda = format.ratio(&Rational::from(position * nodes.length()));
+    let places = row((0..n).map(|_| draws.draw().at(format) * &lambda));
     let mut sum = format.int(0);
-    for _ in 0..n {
-        sum += &nodes.extinction_at(&(draws.draw().at(format) * &lambda));
+    for tau in nodes.extinctions_at(&places) {
+        sum += &tau;
     }
     sum * &lambda * &format.fraction(1, n)
 }

@@ -8,9 +8,6 @@ use crate::real::{Format, Mpfr, MpfrReal, Real};
 use crate::reference;
 use rug::{Float, Rational};
 
-/// Gauss–Legendre points for stretches of an optical depth below 1/32: they leave 2⁻¹²³ of it.
-const THIN_POINTS: u32 = 8;
-
 /// How far in front of the end of a ray, as a part of it, its last samples are still looked for.
 const LAST_SAMPLE: (u32, u32) = (1, 10_000);
 
@@ -48,11 +45,7 @@ pub(super) fn of_case(
 pub(super) fn of_volume(volume: &Volume, length: &Rational, channel: usize, bits: u32) -> Float {
     let format = Mpfr { bits };
     // What is no number stays none: it must not pass for a medium that is empty.
-    let nothing = format.int(0) / &format.int(0);
-    let exact = |x: f64| {
-        let number = Rational::from_f64(x);
-        number.map_or_else(|| nothing.clone(), |number| format.ratio(&number))
-    };
+    let exact = |x: f64| format.binary64(x);
     let mut emission = vec![0.0; volume.table.emission.len()];
     let mut at = |part: f64| {
         let extinction = volume.table.at(volume.field_at(part), &mut emission);
@@ -62,8 +55,6 @@ pub(super) fn of_volume(volume: &Volume, length: &Rational, channel: usize, bits
         }
     };
     let rule = LinearSegments::new(format);
-    let thin = LinearSegments::with_points(format, THIN_POINTS);
-    let limit = format.fraction(1, 16);
     let length = format.ratio(length);
     let mut radiance = format.int(0);
     let mut transmittance = format.int(1);
@@ -74,8 +65,6 @@ pub(super) fn of_volume(volume: &Volume, length: &Rational, channel: usize, bits
     };
     for far in ends {
         let width: MpfrReal = (exact(far.0) - &exact(near.0)) * &length;
-        let depth = (near.1.extinction.clone() + &far.1.extinction) * &width;
-        let rule = if depth < limit { &thin } else { &rule };
         let (adds, passes) = rule.segment(&near.1, &far.1, &width);
         radiance += &(adds * &transmittance);
         transmittance *= &passes;

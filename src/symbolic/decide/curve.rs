@@ -1,10 +1,10 @@
 //! A function of one symbol: its values, its ranges, its derivatives.
 
 use crate::symbolic::enclose::{Evaluator, mean_value};
+use crate::symbolic::hash::HashMap;
 use crate::symbolic::{EncloseError, Expr, Interval, Kind};
 use rug::Rational;
 use std::cell::OnceCell;
-use std::collections::HashMap;
 
 /// The precisions at which one number is looked at until its sign is clear.
 const POINT_BITS: [u32; 3] = [64, 128, 256];
@@ -61,7 +61,7 @@ impl Curve {
         Curve {
             expr,
             symbol: symbol.to_owned(),
-            points: HashMap::new(),
+            points: HashMap::default(),
             latest: None,
             derivative: OnceCell::new(),
         }

@@ -1,8 +1,8 @@
 //! One evaluation in intervals: each different node once, and only those that are needed.
 
+use crate::symbolic::hash::HashMap;
 use crate::symbolic::interval::{Interval, Undefined};
 use crate::symbolic::{Branch, Condition, Expr, Function, Kind, Relation};
-use std::collections::HashMap;
 use std::rc::Rc;
 
 /// Where and why an evaluation stops.
@@ -38,7 +38,7 @@ impl<'e, 'v> Evaluator<'e, 'v> {
         Evaluator {
             bits,
             value,
-            known: HashMap::new(),
+            known: HashMap::default(),
             united: false,
             clamps: false,
             clamped: false,

@@ -1,10 +1,10 @@
 //! Where polynomials, monomials and atoms are kept, each once, and what they may cost.
 
 use super::coefficient::Coefficient;
-use super::hash::HashMap;
 use super::polynomial::{MonomialId, Polynomial};
 use super::ratio::Ratio;
 use super::{MAX_TERMS, MAX_WORK};
+use crate::symbolic::hash::HashMap;
 use std::hash::Hash;
 use std::rc::Rc;
 use std::sync::Arc;

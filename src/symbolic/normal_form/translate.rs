@@ -4,8 +4,8 @@ use super::arena::{Arena, Atom, Result, Stop};
 use super::coefficient::Coefficient;
 use super::polynomial::{Accumulator, Polynomial};
 use super::ratio::Ratio;
+use crate::symbolic::hash::{HashMap, HashSet};
 use crate::symbolic::{Expr, Function, Kind};
-use std::collections::{HashMap, HashSet};
 
 /// The polynomials of the parts that are translated already.
 type Values<'e> = HashMap<&'e Expr, Polynomial>;
@@ -22,9 +22,9 @@ struct Operand<'e> {
 /// # Errors
 /// `Stop` where it divides by 0, or is too large for the budget.
 pub fn translate(expr: &Expr, nodes: &[&Expr], arena: &mut Arena) -> Result<Polynomial> {
-    let mut products: HashMap<&Expr, Vec<Operand<'_>>> = HashMap::new();
+    let mut products: HashMap<&Expr, Vec<Operand<'_>>> = HashMap::default();
     // Products that only occur in products aren't worked out: 1/(ab) is 1/a · 1/b.
-    let mut used: HashSet<&Expr> = HashSet::from([expr]);
+    let mut used: HashSet<&Expr> = HashSet::from_iter([expr]);
     for node in nodes.iter().rev() {
         if !used.contains(node) {
             continue;
@@ -37,7 +37,7 @@ pub fn translate(expr: &Expr, nodes: &[&Expr], arena: &mut Arena) -> Result<Poly
             used.extend(node.parts());
         }
     }
-    let mut values = Values::new();
+    let mut values = Values::default();
     for node in nodes.iter().filter(|node| used.contains(*node)) {
         let value = match products.get(node) {
             Some(operands) => product(operands, &values, arena)?,
@@ -59,7 +59,7 @@ fn is_product(expr: &Expr) -> bool {
 /// The factors of nested products and integer powers, each once: x · x⁻¹ has x⁰.
 fn operands<'e>(expr: &'e Expr, arena: &mut Arena) -> Result<Vec<Operand<'e>>> {
     let mut found: Vec<Operand<'e>> = Vec::new();
-    let mut places: HashMap<&Expr, usize> = HashMap::new();
+    let mut places: HashMap<&Expr, usize> = HashMap::default();
     let mut open = vec![Operand {
         base: expr,
         power: Ratio::ONE,

@@ -1,9 +1,9 @@
 //! From expressions to instructions.
 
 use super::{Constant, Instruction, Operand, Operation, Program};
+use crate::symbolic::hash::HashMap;
 use crate::symbolic::{Branch, Expr, Function, Kind};
 use rug::Rational;
-use std::collections::HashMap;
 
 /// Why expressions cannot be compiled.
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
@@ -27,9 +27,9 @@ pub(super) fn compile(outputs: &[Expr], inputs: &[&str]) -> Result<Program, Comp
             outputs: Vec::new(),
             registers: 0,
         },
-        places: HashMap::new(),
-        constants: HashMap::new(),
-        results: HashMap::new(),
+        places: HashMap::default(),
+        constants: HashMap::default(),
+        results: HashMap::default(),
     };
     for output in outputs {
         let place = compiler.value(output)?;

@@ -53,6 +53,15 @@ impl KeptProgram {
         self.bind(input.format()).at(&[input])
     }
 
+    /// The values of the first N outputs at many places, in the format of the first of these.
+    pub fn all<R: Real, const N: usize>(&self, inputs: &[R]) -> [Vec<R>; N] {
+        let mut outputs = std::array::from_fn(|_| Vec::with_capacity(inputs.len()));
+        if let Some(first) = inputs.first() {
+            self.bind(first.format()).run(&[inputs], &mut outputs);
+        }
+        outputs
+    }
+
     fn find<F: Format>(&self, format: F) -> Option<Arc<[F::Real]>> {
         let kept = self.kept.read().unwrap_or_else(PoisonError::into_inner);
         kept.iter()

@@ -1,9 +1,9 @@
 //! From expressions to polynomials in their atoms, and back.
 
 use super::polynomial::{Monomial, Polynomial};
+use crate::symbolic::hash::HashMap;
 use crate::symbolic::{Expr, Function, Kind};
 use rug::Rational;
-use std::collections::HashMap;
 
 /// A polynomial over a product of polynomials of more than one term each.
 #[derive(Clone, Debug)]
@@ -25,9 +25,9 @@ impl Expander {
     pub(super) fn new() -> Self {
         Expander {
             atoms: Vec::new(),
-            numbers: HashMap::new(),
-            sums: HashMap::new(),
-            known: HashMap::new(),
+            numbers: HashMap::default(),
+            sums: HashMap::default(),
+            known: HashMap::default(),
         }
     }
 

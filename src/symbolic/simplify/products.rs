@@ -1,15 +1,15 @@
 //! xᵃ·xᵇ = xᵃ⁺ᵇ and eᵃ·eᵇ = eᵃ⁺ᵇ.
 
+use crate::symbolic::hash::HashMap;
 use crate::symbolic::{Expr, Function, Kind};
 use rug::Rational;
-use std::collections::HashMap;
 
 /// The product with like factors joined, as far as no place is gained or lost where it has a value.
 pub(super) fn like_factors(factors: &[Expr]) -> Expr {
     if factors[0].is(0) && factors.iter().all(|factor| factor.facts().total) {
         return Expr::number(0);
     }
-    let mut places: HashMap<Expr, Vec<usize>> = HashMap::new();
+    let mut places: HashMap<Expr, Vec<usize>> = HashMap::default();
     let mut joined: Vec<(Expr, Rational)> = Vec::new();
     let mut exponent_of_e: Option<(usize, Vec<Expr>)> = None;
     for factor in factors {

@@ -1,12 +1,12 @@
 //! a·x + b·x = (a + b)·x.
 
+use crate::symbolic::hash::HashMap;
 use crate::symbolic::{Expr, Kind};
 use rug::Rational;
-use std::collections::HashMap;
 
 /// The sum with like terms joined. A term that cancels is dropped where it is certain to have a value.
 pub(super) fn like_terms(terms: &[Expr]) -> Expr {
-    let mut places: HashMap<Expr, usize> = HashMap::new();
+    let mut places: HashMap<Expr, usize> = HashMap::default();
     let mut joined: Vec<(Rational, Expr)> = Vec::new();
     for term in terms {
         let (coefficient, rest) = split(term);

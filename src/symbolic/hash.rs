@@ -3,11 +3,14 @@
 use std::collections;
 use std::hash::{BuildHasherDefault, Hasher};
 
-pub(super) type HashMap<K, V> = collections::HashMap<K, V, BuildHasherDefault<Multiply>>;
+/// A map by a [`Multiply`]ed hash.
+pub(crate) type HashMap<K, V> = collections::HashMap<K, V, BuildHasherDefault<Multiply>>;
+/// A set by a [`Multiply`]ed hash.
+pub(super) type HashSet<T> = collections::HashSet<T, BuildHasherDefault<Multiply>>;
 
 /// Rotate, exclusive or, multiply, as Firefox has it: much faster than `SipHash` on a few words.
 #[derive(Default)]
-pub(super) struct Multiply(u64);
+pub(crate) struct Multiply(u64);
 
 impl Hasher for Multiply {
     fn finish(&self) -> u64 {
