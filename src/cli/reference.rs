@@ -51,7 +51,8 @@ than the estimated error.
 JSON: volver (its version) and references, an object a channel: name, channel,
 radiance (text of N digits), asked and believed (digits; null for an exact 0),
 error, source (closed form, spectral), panels, points, evaluations,
-transcendental_calls, difference (to the closed form, with --spectral, or null).
+transcendental_calls, difference (to the closed form, with --spectral, or null),
+unproved (claim and reason of each statement on the case that is not proved).
 
 Examples:
   volver reference sine-squared

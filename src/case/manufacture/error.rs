@@ -21,6 +21,21 @@ pub enum ManufactureError {
         /// What is there instead.
         value: Option<Interval>,
     },
+    /// A closed form is not what integration without it gives.
+    #[error(
+        "{quantity} is {closed} by its closed form and {integral} by integration{} (allowed: closed forms that are the integral)",
+        if *.is_proved { ", although every statement on it is proved: a fault of volver, which should be reported" } else { "" }
+    )]
+    Contradicted {
+        /// Of what: "t(D)" or "I(D)".
+        quantity: &'static str,
+        /// The closed form.
+        closed: Interval,
+        /// The integral, with its error.
+        integral: Interval,
+        /// Whether every statement that the closed form rests on is proved.
+        is_proved: bool,
+    },
     /// The chosen depth does not grow, so that no emission can be derived.
     #[error(
         "the extinction is 0 from lambda = {from} on, where no emission follows from the radiance (allowed: give extinction and emission, with depth and radiance as claims)"

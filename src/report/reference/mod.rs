@@ -70,6 +70,8 @@ fn section(found: &Found<'_>, digits: u32) -> Section {
         let words = format!("{amount} to the closed form, {verdict} the estimated error");
         facts.push(Fact::new("difference", words).toned(tone));
     }
+    let unproved = found.case.unproved().iter();
+    facts.extend(unproved.map(|open| Fact::new("not proved", open.to_string()).toned(Tone::Open)));
     let name = found.case.case.name();
     Section::of(name, name, [Block::Facts(facts)])
 }
