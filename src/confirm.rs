@@ -3,7 +3,7 @@
 //! Statements that are proved leave nothing to compare, unless a proof is wrong. So whenever a case is made for a
 //! user, t(D) and I(D) are integrated without their closed forms: two ways that share next to nothing.
 
-use crate::case::manufacture::{self, ManufactureError, Manufactured};
+use crate::case::manufacture::{self, Contradiction, ManufactureError, Manufactured};
 use crate::case::{Case, Description, SymbolicCase};
 use crate::reference;
 use crate::symbolic::{Expr, Interval};
@@ -55,12 +55,12 @@ pub fn confirm(made: &Manufactured) -> Result<(), ManufactureError> {
             }
         }
         if let Some(integral) = contradiction {
-            return Err(ManufactureError::Contradicted {
+            return Err(ManufactureError::Contradicted(Box::new(Contradiction {
                 quantity: name,
                 closed,
                 integral,
                 is_proved: made.is_proved(),
-            });
+            })));
         }
     }
     Ok(())

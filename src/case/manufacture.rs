@@ -19,7 +19,7 @@ mod regularity;
 mod statement;
 mod structure;
 
-pub use error::ManufactureError;
+pub use error::{Contradiction, ManufactureError};
 pub use statement::{Check, Outcome, Statement};
 
 use super::file::{ChannelDescription, Description};

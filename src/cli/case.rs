@@ -49,7 +49,7 @@ pub(crate) fn load(argument: &str) -> Result<Derived, Failure> {
 pub(crate) fn derive(path: &str, description: Description) -> Result<Derived, Failure> {
     match manufacture(&description) {
         Ok(cases) => Ok(Derived { description, cases }),
-        Err(error @ (ManufactureError::Refuted { .. } | ManufactureError::Contradicted { .. })) => {
+        Err(error @ (ManufactureError::Refuted { .. } | ManufactureError::Contradicted(_))) => {
             Err(Failure::Refuted {
                 path: path.into(),
                 error: Box::new(error),

@@ -71,7 +71,7 @@ fn multiples(parts: &[(Rational, Expr)], other: &Rational) -> Option<(Integer, V
     let denominators = parts.iter().map(|(coefficient, _)| coefficient.denom());
     let scale = denominators
         .chain([other.denom()])
-        .fold(Integer::from(1), |lcm, denominator| lcm.lcm(denominator));
+        .fold(Integer::from(1), Integer::lcm);
     let scaled = |coefficient: &Rational| Rational::from(coefficient * &scale).numer().to_i32();
     let all: Option<Vec<i32>> = parts.iter().map(|(c, _)| scaled(c)).collect();
     let all = all?;

@@ -100,9 +100,8 @@ pub(super) fn draw(draw: &mut Draw) -> Claim {
         _ => {
             extinction.other = Some((wall.into(), "9".into()));
             let is_smooth = match (grows, wall) {
-                (false, _) => a == b,
+                (false, _) | (true, "1/2") => a == b,
                 (true, "1") => 2 * a == b,
-                (true, "1/2") => a == b,
                 (true, "4/3") => 8 * a == 3 * b,
                 (true, _) => false,
             };
