@@ -11,7 +11,7 @@
 //! A [`study`] runs many; [`report`] makes a [`document`] of what came out, which [`render`] shows in any format. A `scene` is a
 //! ray as users have it, and a plan the least that it needs. A [`proof`] says a case to the proof assistant Coq.
 //! A module uses only those that stand before it: `real`, `symbolic`, `case`, `proof`, `scene`, `quadrature`, `method`, `kernel`,
-//! `reference`, `convergence`, `diagnosis`, `study`, `document`, `render`, `report`, `assert`.
+//! `reference`, `confirm`, `convergence`, `diagnosis`, `study`, `document`, `render`, `report`, `assert`.
 //!
 //! The feature `studies` has the modules `scene` and `proof`, all of `study` and `report` but the verification of kernels, and
 //! what only these need; the feature `half` has `f16` and `bf16` as the crate of that name computes them, and not emulated; the
@@ -44,6 +44,7 @@
 
 pub mod assert;
 pub mod case;
+pub mod confirm;
 pub mod convergence;
 pub mod diagnosis;
 pub mod document;

@@ -19,11 +19,11 @@ mod regularity;
 mod statement;
 mod structure;
 
-pub use error::ManufactureError;
+pub use error::{Contradiction, ManufactureError};
 pub use statement::{Check, Outcome, Statement};
 
 use super::file::{ChannelDescription, Description};
-use super::{Case, Formulas, SymbolicCase};
+use super::{Case, Formulas, SymbolicCase, Unproved};
 use crate::symbolic::Expr;
 
 /// A case that was derived or claimed, with what was checked of it.
@@ -66,6 +66,21 @@ impl Manufactured {
         checks.all(|check| check.outcome == Outcome::Proved)
     }
 
+    /// Every statement that is not proved, in the order of [`Statement`], with what became of it.
+    #[must_use]
+    pub fn unproved(&self) -> &[Unproved] {
+        self.case.unproved()
+    }
+
+    /// Whether s, τ and C certainly have finite values everywhere, which every theorem on orders asks for.
+    #[must_use]
+    pub fn meets_theorems(&self) -> bool {
+        let mut checks = self.checks.iter();
+        checks.all(|check| {
+            check.outcome == Outcome::Proved || !check.statement.is_asked_by_theorems()
+        })
+    }
+
     /// Whether C·τ is the same everywhere, so that the case cannot show an error of interpolated sources.
     #[must_use]
     pub fn is_degenerate_for_preintegration(&self) -> bool {
@@ -105,7 +120,8 @@ fn one(
     Ok(Manufactured {
         channel: channel.name.clone(),
         case: SymbolicCase::new(&name, description.length.clone(), formulas, structure)?
-            .with_break_places(places),
+            .with_break_places(places)
+            .with_unproved(checks.iter().filter_map(Check::unproved).collect()),
         extinction: derived.extinction,
         emission: derived.emission,
         checks,

@@ -11,6 +11,7 @@ mod reciprocal;
 mod sine_squared;
 mod structure;
 mod symbolic;
+mod unproved;
 
 pub use counted::CountedCase;
 pub use file::{ChannelDescription, Description, FileError, FileProblem, Recipe};
@@ -20,6 +21,7 @@ pub use reciprocal::{Reciprocal, ReciprocalSquare};
 pub use sine_squared::SineSquared;
 pub use structure::{Along, Break, END_DERIVATIVES, PolynomialTransfer, Structure};
 pub use symbolic::{Formulas, SymbolicCase};
+pub use unproved::Unproved;
 
 use crate::real::{Real, row};
 use crate::symbolic::{Interval, Program};

@@ -1,6 +1,6 @@
 //! Cases made of expressions.
 
-use super::{Case, Structure, Transfer};
+use super::{Case, Structure, Transfer, Unproved};
 use crate::real::Real;
 use crate::symbolic::{CompileError, Expr, Interval, KeptProgram, Place, Program};
 use rug::Rational;
@@ -27,6 +27,7 @@ pub struct SymbolicCase {
     inner: Arc<Inner>,
     /// Of the breaks of the structure, where they are known.
     breaks: Arc<[Option<Place>]>,
+    unproved: Arc<[Unproved]>,
 }
 
 #[derive(Debug)]
@@ -78,7 +79,11 @@ impl SymbolicCase {
             formulas,
             structure,
         });
-        Ok(SymbolicCase { inner, breaks })
+        Ok(SymbolicCase {
+            inner,
+            breaks,
+            unproved: Arc::default(),
+        })
     }
 
     /// The case with the places of its structure's breaks, in their order, irrational ones too.
@@ -88,6 +93,39 @@ impl SymbolicCase {
             breaks: places.into(),
             ..self
         }
+    }
+
+    /// The case with what was not proved of it.
+    #[must_use]
+    pub(in crate::case) fn with_unproved(self, unproved: Vec<Unproved>) -> Self {
+        SymbolicCase {
+            unproved: unproved.into(),
+            ..self
+        }
+    }
+
+    /// Every statement that the case rests on and that is not proved; empty, too, where nothing was checked.
+    #[must_use]
+    pub fn unproved(&self) -> &[Unproved] {
+        &self.unproved
+    }
+
+    /// The medium alone: what it is without the closed forms.
+    ///
+    /// # Errors
+    /// [`CompileError`], as of [`new`](SymbolicCase::new).
+    pub fn without_closed_form(&self) -> Result<Self, CompileError> {
+        let formulas = Formulas {
+            optical_depth: None,
+            radiance: None,
+            ..self.inner.formulas.clone()
+        };
+        let (length, structure) = (self.inner.length.clone(), self.inner.structure.clone());
+        Ok(SymbolicCase {
+            breaks: Arc::clone(&self.breaks),
+            unproved: Arc::clone(&self.unproved),
+            ..SymbolicCase::new(&self.inner.name, length, formulas, structure)?
+        })
     }
 
     /// Its formulas.

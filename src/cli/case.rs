@@ -8,8 +8,9 @@ use std::io::{self, Read};
 use std::path::Path;
 use volver::case::catalogue;
 use volver::case::file::MAX_FILE;
-use volver::case::manufacture::{ManufactureError, manufacture};
+use volver::case::manufacture::ManufactureError;
 use volver::case::{Description, FileError};
+use volver::confirm::manufacture;
 use volver::report::cases::Derived;
 
 /// What a command line may say where it takes a case, for help texts.
@@ -48,10 +49,12 @@ pub(crate) fn load(argument: &str) -> Result<Derived, Failure> {
 pub(crate) fn derive(path: &str, description: Description) -> Result<Derived, Failure> {
     match manufacture(&description) {
         Ok(cases) => Ok(Derived { description, cases }),
-        Err(error @ ManufactureError::Refuted { .. }) => Err(Failure::Refuted {
-            path: path.into(),
-            error: Box::new(error),
-        }),
+        Err(error @ (ManufactureError::Refuted { .. } | ManufactureError::Contradicted(_))) => {
+            Err(Failure::Refuted {
+                path: path.into(),
+                error: Box::new(error),
+            })
+        }
         Err(error) => Err(Failure::Content {
             path: path.into(),
             error: error.into(),

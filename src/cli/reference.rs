@@ -59,7 +59,8 @@ JSON: volver (its version) and references, an object a channel: name, channel,
 radiance (text of N digits), asked and digits (those that the error leaves; null for
 an exact 0), error, proved (whether error is), not_proved (why not, or null), source
 (closed form, enclosure, estimate), panels, points, evaluations,
-transcendental_calls, difference (to the closed form, or null).
+transcendental_calls, difference (to the closed form, or null), unproved (claim and
+reason of each statement on the case that is not proved).
 
 Examples:
   volver reference sine-squared

@@ -9,10 +9,13 @@
 //!   x − sin x ≥ 0 for x ≥ 0 although both sides meet at 0;
 //! - pieces: what is piecewise in the symbol itself is cut there, and each piece is decided by itself.
 //!
+//! A divisor that changes sign, or a cosine under a tangent, proves a pole wherever that is.
+//!
 //! What only touches 0 inside the interval at a number that is not met stays undecided.
 
 mod curve;
 mod pieces;
+mod poles;
 mod search;
 
 use super::Expr;
@@ -45,7 +48,8 @@ pub enum Decision {
     Proved,
     /// It fails.
     Refuted {
-        /// Where it fails, or beside it: [`Claim::Nonzero`] may fail by a change of sign.
+        /// Where it fails, or beside it: [`Claim::Nonzero`] may fail by a change of sign, and
+        /// [`Claim::Defined`] by that of a divisor.
         witness: Rational,
         /// What the expression is there, or around there where its sign changes; nothing where it is
         /// not defined.
@@ -128,6 +132,18 @@ pub fn decide(expr: &Expr, symbol: &str, from: &Rational, to: &Rational, claim: 
     let ends_unclear = unclear.filter(|_| pieces.iter().any(|piece| !piece.is(expr)));
     match (search::search(pieces, claim, &mut budget), ends_unclear) {
         (Decision::Proved, Some(near)) => Decision::Undecided { near },
+        (undecided @ Decision::Undecided { .. }, _) if claim == Claim::Defined => {
+            let mut pieces = cuts.iter().zip(cuts.iter().skip(1));
+            let pole = pieces.find_map(|(from, to)| {
+                let piece = pieces::on_piece(expr, symbol, from, to);
+                poles::pole(&piece, symbol, from, to)
+            });
+            let refuted = |witness| Decision::Refuted {
+                witness,
+                value: None,
+            };
+            pole.map_or(undecided, refuted)
+        }
         (decision, _) => decision,
     }
 }

@@ -31,16 +31,19 @@ pub use quotient::{expand, quotient};
 #[cfg(feature = "studies")]
 pub use taylor::{Range, Taylor, taylor};
 
+mod choice;
+mod constant;
 mod decide;
 mod enclose;
 mod interval;
 mod pieces;
 mod refute;
 mod simplest;
+pub use constant::ConstantTest;
 pub use decide::{Claim, DECIDE_BUDGET, Decision, decide};
 pub use enclose::{EncloseError, enclose_range};
 pub use interval::{Interval, Undefined};
-pub use pieces::{Piece, PiecesError, Place, pieces};
+pub use pieces::{Joint, Piece, PiecesError, Place, joints, pieces};
 pub use refute::{Witness, refute_zero};
 
 pub mod code;
@@ -53,4 +56,4 @@ mod zero_test;
 #[cfg(feature = "studies")]
 pub use coq::CoqError;
 pub use normal_form::{MAX_TERMS, MAX_WORK, Reduction, reduce};
-pub use zero_test::{ZeroTest, zero_test};
+pub use zero_test::{ZeroTest, zero_test, zero_test_inside};

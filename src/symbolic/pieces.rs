@@ -1,39 +1,23 @@
 //! Expressions with branches, cut into pieces without.
 
+mod inside;
+mod joints;
+mod place;
 mod roots;
 
-use super::{Claim, Decision, Expr, Function, Kind, Relation, decide};
+pub(super) use inside::Stretch;
+pub use joints::{Joint, joints};
+pub use place::Place;
+
+use super::choice::{Choice, Which, innermost};
+use super::normal_form::{Reduction, reduce};
+use super::{Claim, Decision, Expr, decide};
 use roots::roots;
 use rug::Rational;
+use std::cmp::Ordering;
 
 /// Expressions of more pieces are not cut.
 const MAX_PIECES: usize = 64;
-
-/// A number where pieces meet.
-#[derive(Clone, Debug, PartialEq, Eq)]
-pub struct Place {
-    /// The number itself, where it has a closed form.
-    pub exact: Option<Expr>,
-    /// Rational numbers that it lies between; both are the number where that is rational.
-    pub bracket: (Rational, Rational),
-}
-
-impl Place {
-    /// A rational place.
-    #[must_use]
-    pub fn rational(q: Rational) -> Place {
-        Place {
-            exact: Some(Expr::number(q.clone())),
-            bracket: (q.clone(), q),
-        }
-    }
-
-    /// The number, where it is rational.
-    #[must_use]
-    pub fn as_rational(&self) -> Option<&Rational> {
-        (self.bracket.0 == self.bracket.1).then_some(&self.bracket.0)
-    }
-}
 
 /// What some expressions are strictly between two places: the same expressions without min, max, abs and
 /// piecewise.
@@ -66,11 +50,12 @@ pub enum PiecesError {
 }
 
 /// Cuts `exprs` at every place strictly between `from` and `to` where one of them goes from one branch to
-/// another; all pieces are proved to be complete.
+/// another, if only for a single point; all pieces are proved to be complete. What an expression is at the
+/// places themselves is for [`joints`] to say.
 ///
 /// # Errors
-/// [`PiecesError`] where a place cannot be told, as where both sides of a comparison only touch, or come
-/// to the same at no number that is found.
+/// [`PiecesError`] where a place cannot be told, as where both sides of a comparison come to the same at
+/// no number that is found.
 pub fn pieces(
     exprs: &[Expr],
     symbol: &str,
@@ -84,36 +69,25 @@ pub fn pieces(
     }];
     let mut done = Vec::new();
     while let Some(piece) = open.pop() {
-        let Some(choice) = piece.exprs.iter().find_map(innermost_choice) else {
+        let mut exprs = piece.exprs.iter();
+        let Some(choice) = exprs.find_map(|expr| innermost(expr, Which::All)) else {
             done.push(piece);
             continue;
         };
-        let difference = choice.difference.simplify();
-        let mut places = vec![piece.from.clone()];
-        if !has_one_sign(&difference, symbol, &piece) {
-            let inside = roots(&difference, symbol, &piece.from, &piece.to);
-            places.extend(inside.map_err(|near| PiecesError::Undecided {
-                difference: difference.clone(),
-                symbol: symbol.into(),
-                near,
-            })?);
-        }
-        places.push(piece.to.clone());
+        let undecided = |near| PiecesError::Undecided {
+            difference: choice.difference.simplify(),
+            symbol: symbol.into(),
+            near,
+        };
+        let places = cuts(&choice, symbol, &piece).map_err(undecided)?;
         if open.len() + done.len() + places.len() > MAX_PIECES {
             return Err(PiecesError::TooMany);
         }
         // Pieces are taken from the end: the first of them goes there last.
         for ends in places.windows(2).rev() {
             if let [from, to] = ends {
-                let positive =
-                    is_positive_between(&difference, symbol, from, to).map_err(|near| {
-                        PiecesError::Undecided {
-                            difference: difference.clone(),
-                            symbol: symbol.into(),
-                            near,
-                        }
-                    })?;
-                let chosen = choice.taken(positive);
+                let sign = sign_between(&choice.difference, symbol, from, to).map_err(undecided)?;
+                let chosen = choice.taken(sign);
                 let exprs = piece.exprs.iter().map(|expr| {
                     expr.rebuild(|node| (*node == choice.node).then(|| chosen.clone()))
                 });
@@ -128,89 +102,81 @@ pub fn pieces(
     Ok(done)
 }
 
-/// A node that is one of two things by the sign of a difference.
-struct Choice {
-    node: Expr,
-    difference: Expr,
-    /// Where the difference is > 0.
-    above: Expr,
-    /// Where it is < 0.
-    below: Expr,
-}
-
-impl Choice {
-    fn taken(&self, positive: bool) -> Expr {
-        if positive {
-            self.above.clone()
-        } else {
-            self.below.clone()
-        }
+/// The ends of a piece and the places inside between which a choice is the same; on the error is a number
+/// near which that is not known.
+fn cuts(choice: &Choice, symbol: &str, piece: &Piece) -> Result<Vec<Place>, Rational> {
+    let difference = choice.difference.simplify();
+    if reduce(&difference) == Reduction::Zero {
+        return Ok(vec![piece.from.clone(), piece.to.clone()]);
     }
+    let inside = match one_sign(&difference, symbol, piece) {
+        Some(sign) if !choice.differs_at_zero(sign) => Vec::new(),
+        Some(sign) => touched(&difference, sign, symbol, piece)?,
+        None => roots(&difference, symbol, &piece.from, &piece.to)?,
+    };
+    let (from, to) = ([piece.from.clone()], [piece.to.clone()]);
+    Ok(from.into_iter().chain(inside).chain(to).collect())
 }
 
-/// The first choice that has no other choice in what decides it.
-fn innermost_choice(expr: &Expr) -> Option<Choice> {
-    // Parts come before what is made of them.
-    expr.nodes().into_iter().find_map(|node| match node.kind() {
-        Kind::Min(a, b) => Some(choice(node, a - b, b.clone(), a.clone())),
-        Kind::Max(a, b) => Some(choice(node, a - b, a.clone(), b.clone())),
-        Kind::Call(Function::Abs, x) => Some(choice(node, x.clone(), x.clone(), -x)),
-        Kind::Piecewise(branches, otherwise) => {
-            let (first, rest) = branches.split_first()?;
-            let others = Expr::piecewise(rest.to_vec(), otherwise.clone());
-            let difference = &first.condition.left - &first.condition.right;
-            Some(match first.condition.relation {
-                Relation::Less | Relation::LessEqual => {
-                    choice(node, difference, others, first.value.clone())
-                }
-                Relation::Greater | Relation::GreaterEqual => {
-                    choice(node, difference, first.value.clone(), others)
-                }
-            })
-        }
-        _ => None,
-    })
-}
-
-fn choice(node: &Expr, difference: Expr, above: Expr, below: Expr) -> Choice {
-    Choice {
-        node: node.clone(),
-        difference,
-        above,
-        below,
-    }
-}
-
-/// Whether the difference is never less than 0 on the piece, or never more.
-fn has_one_sign(difference: &Expr, symbol: &str, piece: &Piece) -> bool {
+/// The sign that the difference has on the piece wherever it is not 0.
+fn one_sign(difference: &Expr, symbol: &str, piece: &Piece) -> Option<Ordering> {
     let (from, to) = (&piece.from.bracket.0, &piece.to.bracket.1);
     let proved =
         |expr: &Expr| decide(expr, symbol, from, to, Claim::NonNegative) == Decision::Proved;
-    proved(difference) || proved(&-difference)
+    if proved(difference) {
+        Some(Ordering::Greater)
+    } else if proved(&-difference) {
+        Some(Ordering::Less)
+    } else {
+        None
+    }
 }
 
-/// The sign of a difference that has one sign between two places; what is 0 throughout is called positive.
-fn is_positive_between(
+/// Where a difference of one sign may be 0 inside the piece: nowhere, or where its slope is.
+fn touched(
+    difference: &Expr,
+    sign: Ordering,
+    symbol: &str,
+    piece: &Piece,
+) -> Result<Vec<Place>, Rational> {
+    let stretch = Stretch::new(symbol, &piece.from, &piece.to);
+    if stretch.keeps_off_zero(difference, sign) {
+        return Ok(Vec::new());
+    }
+    let bottoms = inside::even_root(difference);
+    match roots(&bottoms, symbol, &piece.from, &piece.to) {
+        Ok(places) => Ok(places),
+        // Between the zeros of its slope a function is strictly monotone, and 0 at no end but one.
+        Err(near) => {
+            let slope = difference.differentiate(symbol).simplify();
+            roots(&slope, symbol, &piece.from, &piece.to).map_err(|_| near)
+        }
+    }
+}
+
+/// The sign of a difference that has one sign between two places; what is 0 throughout is 0.
+fn sign_between(
     difference: &Expr,
     symbol: &str,
     from: &Place,
     to: &Place,
-) -> Result<bool, Rational> {
+) -> Result<Ordering, Rational> {
+    let difference = difference.simplify();
     let (from, to) = (&from.bracket.1, &to.bracket.0);
     // Numbers inside, in case the difference is 0 at one of them.
     for part in [(1, 2), (1, 3), (3, 5), (5, 7), (1, 11)] {
         let at = Rational::from(to - from) * Rational::from(part) + from;
-        if let Some(value) = roots::value_at(difference, symbol, &at) {
+        if let Some(value) = roots::value_at(&difference, symbol, &at) {
             if value.is_positive() {
-                return Ok(true);
+                return Ok(Ordering::Greater);
             }
             if value.is_negative() {
-                return Ok(false);
+                return Ok(Ordering::Less);
             }
         }
     }
-    if difference.as_number().is_some_and(|q| *q == 0) {
-        return Ok(true);
+    if reduce(&difference) == Reduction::Zero {
+        return Ok(Ordering::Equal);
     }
     Err(Rational::from(to + from) / 2)
 }

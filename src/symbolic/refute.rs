@@ -1,5 +1,6 @@
 //! Numbers at which an expression is certainly not 0.
 
+use super::choice::differences;
 use super::decide::cuts;
 use super::{Expr, Interval};
 use rug::Rational;
@@ -16,7 +17,7 @@ const PRIMES: [u32; 12] = [2, 3, 5, 7, 11, 13, 17, 19, 23, 29, 31, 37];
 /// A place where the expression is certainly not 0.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Witness {
-    /// What the symbols are, in the order of their names.
+    /// What the symbols are, in the order of their names; beside an irrational place, numbers next to it.
     pub at: Vec<(String, Rational)>,
     /// What the expression is there.
     pub value: Interval,
@@ -30,6 +31,23 @@ pub struct Witness {
 /// defined are passed over. Nothing found is no proof of 0.
 #[must_use]
 pub fn refute_zero(expr: &Expr, ranges: &[(String, Rational, Rational)]) -> Option<Witness> {
+    refute(expr, ranges, &[])
+}
+
+/// The same, but for numbers where two pieces meet.
+pub(super) fn refute_inside(
+    expr: &Expr,
+    ranges: &[(String, Rational, Rational)],
+) -> Option<Witness> {
+    refute(expr, ranges, &differences(expr))
+}
+
+/// Looks for numbers at which the expression is certainly not 0, and neither are others.
+fn refute(
+    expr: &Expr,
+    ranges: &[(String, Rational, Rational)],
+    others: &[Expr],
+) -> Option<Witness> {
     let names: Vec<String> = expr.symbols().iter().map(ToString::to_string).collect();
     let cuts: Vec<Vec<Rational>> = names
         .iter()
@@ -54,18 +72,29 @@ pub fn refute_zero(expr: &Expr, ranges: &[(String, Rational, Rational)]) -> Opti
             .map(|(place, (name, cuts))| (name.clone(), coordinate(cuts, point, place)))
             .collect();
         let value = nonzero(expr, &at)?;
-        Some(Witness { at, value })
+        // A difference without a value is in a branch that is not taken.
+        let is_apart = |other: &Expr| !may_vanish(other, &at);
+        others.iter().all(is_apart).then_some(Witness { at, value })
     })
+}
+
+/// Whether the value at a point may be 0.
+fn may_vanish(expr: &Expr, at: &[(String, Rational)]) -> bool {
+    let bits = BITS[BITS.len() - 1];
+    let value = expr.enclose(bits, &|name| coordinate_of(name, at, bits));
+    value.is_ok_and(|value| value.contains_zero())
+}
+
+/// What a symbol is at a point.
+fn coordinate_of(name: &str, at: &[(String, Rational)], bits: u32) -> Option<Interval> {
+    let (_, q) = at.iter().find(|(known, _)| known == name)?;
+    Some(Interval::point(bits, q))
 }
 
 /// The value at a point, where that is certainly not 0.
 fn nonzero(expr: &Expr, at: &[(String, Rational)]) -> Option<Interval> {
     for bits in BITS {
-        let value = |name: &str| {
-            let (_, q) = at.iter().find(|(known, _)| known == name)?;
-            Some(Interval::point(bits, q))
-        };
-        match expr.enclose(bits, &value) {
+        match expr.enclose(bits, &|name| coordinate_of(name, at, bits)) {
             Ok(value) if !value.contains_zero() => return Some(value),
             Ok(value) if value.is_zero() => return None,
             _ => {}

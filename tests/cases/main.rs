@@ -18,3 +18,4 @@ mod mutations;
 mod proofs;
 mod scene;
 mod symbolic;
+mod truths;

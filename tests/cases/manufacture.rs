@@ -94,6 +94,34 @@ fn json(arguments: &[&str], input: &str) -> Value {
     document["cases"][0].take()
 }
 
+/// C is 0/0 at 0, so that nothing says that it is smooth there.
+#[test]
+fn what_is_not_proved_stands_beside_the_value() {
+    let open =
+        "name = \"open\"\nlength = 1\ndepth = \"1 - cos(lambda)\"\nradiance = \"lambda^2\"\n";
+    let case = json(&["-"], open);
+    let orders = case["orders"].as_array().unwrap();
+    assert!(orders.iter().all(|order| order["theorem"].is_null()));
+    let smooth = json(&["sine-squared"], "");
+    let orders = smooth["orders"].as_array().unwrap();
+    assert!(orders.iter().any(|order| order["theorem"].is_string()));
+    let reference = |arguments: &[&str]| {
+        let mut command = cargo_bin_cmd!("volver");
+        command.arg("reference").args(arguments).write_stdin(open);
+        let output = command.assert().code(0).stderr("");
+        String::from_utf8(output.get_output().stdout.clone()).unwrap()
+    };
+    let text = reference(&["-"]);
+    assert!(
+        text.contains("not proved  C defined: undecided near lambda = 0\n"),
+        "{text}"
+    );
+    let document: Value = serde_json::from_str(&reference(&["-", "--json"])).unwrap();
+    let unproved = &document["references"][0]["unproved"];
+    assert_eq!(unproved[1]["claim"], "C >= 0");
+    assert_eq!(unproved[1]["reason"], "undecided near lambda = 0");
+}
+
 #[test]
 fn latex_has_every_formula() {
     let latex = text(&["sine-squared", "--latex"], "");

@@ -4,7 +4,8 @@ use super::derive::{Derived, shortest};
 use super::{Check, ManufactureError, Outcome, Statement};
 use crate::case::file::Description;
 use crate::symbolic::{
-    Claim, Decision, Expr, Interval, ZeroTest, decide, expand, pieces, zero_test,
+    Claim, ConstantTest, Decision, Expr, Interval, Joint, Place, ZeroTest, decide, expand, joints,
+    zero_test, zero_test_inside,
 };
 use rug::{Float, Rational};
 
@@ -12,21 +13,25 @@ use rug::{Float, Rational};
 pub(super) fn all(description: &Description, derived: &Derived) -> Vec<Check> {
     let length = &description.length;
     let lambda = Expr::symbol("lambda");
-    let is_zero = |expr: &Expr| vanishes(expr, length);
     let mut checks = Vec::new();
     let mut add = |statement, outcome| checks.push(Check { statement, outcome });
 
     if let Some(inverse) = &derived.inverse {
         let back = inverse.substitute("s", &derived.field);
-        add(Statement::Inverse, is_zero(&(back - lambda)));
+        let has_value = defined(&back, length);
+        add(Statement::InverseDefined, has_value.clone());
+        add(
+            Statement::Inverse,
+            inverts(&(back - lambda), has_value, length),
+        );
     }
     add(Statement::FieldDefined, defined(&derived.field, length));
     if let Some(depth) = &derived.depth {
         add(Statement::DepthDefined, defined(depth, length));
-        add(Statement::DepthAtZero, at_zero(depth, length));
+        add(Statement::DepthAtZero, at_zero(depth));
         add(Statement::DepthContinuous, continuous(depth, length));
-        let change = depth.differentiate("lambda") - derived.extinction.clone();
-        add(Statement::DepthDerivative, is_zero(&change));
+        let slope = derivative(depth, &derived.extinction, length);
+        add(Statement::DepthDerivative, slope);
     }
     add(
         Statement::ExtinctionDefined,
@@ -38,10 +43,10 @@ pub(super) fn all(description: &Description, derived: &Derived) -> Vec<Check> {
     );
     if let (Some(radiance), Some(depth)) = (&derived.radiance, &derived.depth) {
         add(Statement::RadianceDefined, defined(radiance, length));
-        add(Statement::RadianceAtZero, at_zero(radiance, length));
+        add(Statement::RadianceAtZero, at_zero(radiance));
         add(Statement::RadianceContinuous, continuous(radiance, length));
-        let change = radiance.differentiate("lambda") - derived.source(depth);
-        add(Statement::RadianceDerivative, is_zero(&change));
+        let slope = derivative(radiance, &derived.source(depth), length);
+        add(Statement::RadianceDerivative, slope);
     }
     add(
         Statement::EmissionDefined,
@@ -86,10 +91,13 @@ impl Derived {
     }
 }
 
-/// Whether an expression of λ is 0 on the ray.
-fn vanishes(expr: &Expr, length: &Rational) -> Outcome {
-    let ranges = [("lambda".to_string(), Rational::new(), length.clone())];
-    match zero_test(expr, &ranges) {
+/// λ as the range that expressions are tested on.
+fn ray(length: &Rational) -> [(String, Rational, Rational); 1] {
+    [("lambda".to_string(), Rational::new(), length.clone())]
+}
+
+fn outcome(test: ZeroTest) -> Outcome {
+    match test {
         ZeroTest::Proved => Outcome::Proved,
         ZeroTest::Refuted(witness) => Outcome::Refuted {
             witness: witness
@@ -104,77 +112,99 @@ fn vanishes(expr: &Expr, length: &Rational) -> Outcome {
     }
 }
 
+/// Whether λ(s(λ)) − λ is 0 at every point of the ray: where it has no value it is not.
+fn inverts(difference: &Expr, has_value: Outcome, length: &Rational) -> Outcome {
+    match (outcome(zero_test(difference, &ray(length))), has_value) {
+        (Outcome::Proved, has_value) => has_value,
+        (outcome, _) => outcome,
+    }
+}
+
 /// Whether a constant is 0; `at` is where it is the value of something.
 pub(super) fn constant_vanishes(constant: &Expr, at: &Rational) -> Outcome {
-    if constant.enclose(64, &|_| None).is_err() {
-        // The zero test speaks of what has a value.
-        return Outcome::Undecided {
-            near: Some(at.clone()),
-        };
-    }
-    match zero_test(constant, &[]) {
-        ZeroTest::Proved => Outcome::Proved,
-        ZeroTest::Refuted(witness) => Outcome::Refuted {
-            witness: at.clone(),
-            value: Some(witness.value),
-        },
-        ZeroTest::Unknown => Outcome::Undecided {
-            near: Some(at.clone()),
-        },
-    }
+    Outcome::of_zero(ConstantTest::of(constant), at)
 }
 
 /// Whether an expression of λ is 0 at the near end.
-fn at_zero(expr: &Expr, length: &Rational) -> Outcome {
+fn at_zero(expr: &Expr) -> Outcome {
     let zero = Rational::new();
-    let cut = pieces(std::slice::from_ref(expr), "lambda", &zero, length);
-    let Some(first) = cut.ok().and_then(|cut| cut.into_iter().next()) else {
-        return Outcome::Undecided { near: Some(zero) };
-    };
-    let constant = Expr::sum(first.exprs).substitute("lambda", &Expr::number(0));
-    if constant.enclose(64, &|_| None).is_err() {
-        return Outcome::Refuted {
+    match Place::rational(zero.clone()).value(expr, "lambda") {
+        ConstantTest::NotDefined => Outcome::Refuted {
             witness: zero,
             value: None,
-        };
+        },
+        value => Outcome::of_zero(value, &zero),
     }
-    constant_vanishes(&constant.simplify(), &zero)
 }
 
-/// Whether the pieces of an expression of λ meet.
-fn continuous(expr: &Expr, length: &Rational) -> Outcome {
-    let cut = pieces(
-        std::slice::from_ref(expr),
-        "lambda",
-        &Rational::new(),
-        length,
-    );
-    let Ok(cut) = cut else {
-        return Outcome::Undecided { near: None };
-    };
-    let mut undecided = None;
-    for pair in cut.windows(2) {
-        let [before, after] = pair else { continue };
-        let place = &after.from;
-        let near = place.bracket.0.clone();
-        let Some(exact) = &place.exact else {
-            undecided = Some(near);
-            continue;
-        };
-        let at = |exprs: &[Expr]| exprs.first().map(|e| e.substitute("lambda", exact));
-        let (Some(left), Some(right)) = (at(&before.exprs), at(&after.exprs)) else {
-            continue;
-        };
-        match constant_vanishes(&(left - right), &near) {
+/// The first outcome that refutes, else the last that does not prove.
+fn worst(outcomes: impl IntoIterator<Item = Outcome>) -> Outcome {
+    let mut worst = Outcome::Proved;
+    for outcome in outcomes {
+        match outcome {
             Outcome::Proved => {}
-            refuted @ Outcome::Refuted { .. } => return refuted,
-            Outcome::Undecided { .. } => undecided = Some(near),
+            Outcome::Refuted { .. } => return outcome,
+            Outcome::Undecided { .. } => worst = outcome,
         }
     }
-    match undecided {
-        None => Outcome::Proved,
-        near => Outcome::Undecided { near },
+    worst
+}
+
+/// Whether an expression of λ is at both ends, and where its pieces meet, what it is beside.
+fn continuous(expr: &Expr, length: &Rational) -> Outcome {
+    let Ok(joints) = joints(expr, "lambda", &Rational::new(), length) else {
+        return Outcome::Undecided { near: None };
+    };
+    worst(joints.iter().flat_map(|joint| {
+        let sides: Vec<&Expr> = joint.sides().collect();
+        sides.into_iter().map(|side| match &joint.at {
+            Some(at) => vanishes_at(joint, side, at),
+            None => undecided_at(joint),
+        })
+    }))
+}
+
+/// Whether two functions are the same at the end of a piece.
+fn vanishes_at(joint: &Joint, a: &Expr, b: &Expr) -> Outcome {
+    Outcome::of_zero(joint.difference(a, b, "lambda"), &joint.place.bracket.0)
+}
+
+fn undecided_at(joint: &Joint) -> Outcome {
+    Outcome::Undecided {
+        near: Some(joint.place.bracket.0.clone()),
     }
+}
+
+/// Whether the derivative of an expression of λ is `slope`: on its pieces, and at their ends where it has a
+/// derivative, which is what `slope` comes to from either side.
+fn derivative(expr: &Expr, slope: &Expr, length: &Rational) -> Outcome {
+    let difference = expr.differentiate("lambda") - slope.clone();
+    let inside = outcome(zero_test_inside(&difference, &ray(length)));
+    if inside != Outcome::Proved {
+        return inside;
+    }
+    match joints(slope, "lambda", &Rational::new(), length) {
+        Ok(joints) => worst(joints.iter().map(is_derivative_at)),
+        Err(_) => Outcome::Undecided { near: None },
+    }
+}
+
+fn is_derivative_at(joint: &Joint) -> Outcome {
+    let Some(at) = &joint.at else {
+        return undecided_at(joint);
+    };
+    if joint.sides().any(|side| side == at) {
+        return Outcome::Proved;
+    }
+    if let (Some(before), Some(after)) = (&joint.before, &joint.after) {
+        match vanishes_at(joint, before, after) {
+            Outcome::Proved => {}
+            // A kink has no derivative.
+            Outcome::Refuted { .. } => return Outcome::Proved,
+            undecided @ Outcome::Undecided { .. } => return undecided,
+        }
+    }
+    worst(joint.sides().map(|side| vanishes_at(joint, side, at)))
 }
 
 /// Whether an expression of λ has a value everywhere. Only forms that have one at the same places will do.
@@ -206,13 +236,23 @@ fn in_any_form(forms: impl IntoIterator<Item = Expr>, length: &Rational, claim: 
 /// C finite. Where it is 0/0 nothing is known of it: the quotient may have a limit that no formula shows.
 fn emission_defined(derived: &Derived, length: &Rational) -> Outcome {
     match defined(&derived.along(&derived.emission_of_field), length) {
-        Outcome::Refuted { witness, .. } if is_zero_by_zero(derived, &witness) => {
+        Outcome::Refuted { witness, .. }
+            if is_zero_by_zero(derived, &witness) || is_beside_a_pole(derived, &witness) =>
+        {
             Outcome::Undecided {
                 near: Some(witness),
             }
         }
         outcome => outcome,
     }
+}
+
+/// Whether a derived C has a value at a place, which then is beside an irrational one where it has none:
+/// nothing tells whether it is 0/0 there.
+fn is_beside_a_pole(derived: &Derived, place: &Rational) -> bool {
+    let at = |name: &str| (name == "lambda").then(|| Interval::point(128, place));
+    let emission = derived.along(&derived.emission_of_field);
+    derived.radiance.is_some() && emission.enclose(128, &at).is_ok()
 }
 
 /// Whether both I′ and τ may be 0 at a place.

@@ -4,6 +4,23 @@ use super::Statement;
 use crate::symbolic::{CompileError, Expr, Interval, PiecesError};
 use rug::Rational;
 
+/// A closed form and the integral that it is not.
+#[derive(Clone, Debug, PartialEq, thiserror::Error)]
+#[error(
+    "{quantity} is {closed} by its closed form and {integral} by integration{} (allowed: closed forms that are the integral)",
+    if *is_proved { ", although every statement on it is proved: a fault of volver, which should be reported" } else { "" }
+)]
+pub struct Contradiction {
+    /// Of what: "t(D)" or "I(D)".
+    pub quantity: &'static str,
+    /// The closed form.
+    pub closed: Interval,
+    /// The integral, with its error.
+    pub integral: Interval,
+    /// Whether every statement that the closed form rests on is proved.
+    pub is_proved: bool,
+}
+
 /// Why no case can be made.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
 pub enum ManufactureError {
@@ -21,6 +38,9 @@ pub enum ManufactureError {
         /// What is there instead.
         value: Option<Interval>,
     },
+    /// A closed form is not what integration without it gives.
+    #[error(transparent)]
+    Contradicted(Box<Contradiction>),
     /// The chosen depth does not grow, so that no emission can be derived.
     #[error(
         "the extinction is 0 from lambda = {from} on, where no emission follows from the radiance (allowed: give extinction and emission, with depth and radiance as claims)"

@@ -1,13 +1,19 @@
 //! What is checked of a case.
 
-use crate::symbolic::Interval;
-use rug::Rational;
+use crate::case::Unproved;
+use crate::symbolic::{ConstantTest, Interval};
+use rug::{Float, Rational};
 use serde::Serialize;
 use std::fmt;
+
+/// Rational numbers of more characters are shown as decimals.
+const LONGEST: usize = 24;
 
 /// What has to hold of a case on [0, D].
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, Serialize)]
 pub enum Statement {
+    /// λ(s(λ)) has a value everywhere, where an inverse is given.
+    InverseDefined,
     /// λ(s(λ)) = λ, where an inverse is given.
     Inverse,
     /// s has a value everywhere.
@@ -16,9 +22,9 @@ pub enum Statement {
     DepthDefined,
     /// t(0) = 0.
     DepthAtZero,
-    /// t is continuous where its pieces meet.
+    /// t is continuous at both ends and where its pieces meet: from either side and at the very place.
     DepthContinuous,
-    /// t′ = τ.
+    /// t′ = τ, wherever t has a derivative.
     DepthDerivative,
     /// τ has a finite value everywhere.
     ExtinctionDefined,
@@ -28,9 +34,9 @@ pub enum Statement {
     RadianceDefined,
     /// I(0) = 0.
     RadianceAtZero,
-    /// I is continuous where its pieces meet.
+    /// I is continuous at both ends and where its pieces meet.
     RadianceContinuous,
-    /// I′ = C τ e^(−t).
+    /// I′ = C τ e^(−t), wherever I has a derivative.
     RadianceDerivative,
     /// C has a finite value everywhere.
     EmissionDefined,
@@ -48,6 +54,15 @@ impl Statement {
         )
     }
 
+    /// Whether theorems on orders of accuracy ask for it.
+    #[must_use]
+    pub fn is_asked_by_theorems(self) -> bool {
+        matches!(
+            self,
+            Statement::FieldDefined | Statement::ExtinctionDefined | Statement::EmissionDefined
+        )
+    }
+
     /// Whether a case may be without it.
     #[must_use]
     pub fn is_optional(self) -> bool {
@@ -58,6 +73,7 @@ impl Statement {
     #[must_use]
     pub fn allowed(self) -> &'static str {
         match self {
+            Statement::InverseDefined => "an inverse with a value everywhere on the ray",
             Statement::Inverse => "an inverse that gives lambda back",
             Statement::FieldDefined => "a field with a value everywhere on the ray",
             Statement::DepthDefined => "a depth with a value everywhere on the ray",
@@ -83,6 +99,7 @@ impl Statement {
 impl fmt::Display for Statement {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         f.pad(match self {
+            Statement::InverseDefined => "lambda(s(lambda)) defined",
             Statement::Inverse => "lambda(s(lambda)) = lambda",
             Statement::FieldDefined => "s defined",
             Statement::DepthDefined => "t defined",
@@ -120,6 +137,51 @@ pub enum Outcome {
     },
 }
 
+impl Outcome {
+    /// What became of the claim that something is 0 at a place.
+    pub(super) fn of_zero(constant: ConstantTest, at: &Rational) -> Outcome {
+        match constant {
+            ConstantTest::Zero => Outcome::Proved,
+            ConstantTest::Nonzero(value) => Outcome::Refuted {
+                witness: at.clone(),
+                value: Some(value),
+            },
+            ConstantTest::NotDefined | ConstantTest::Unknown => Outcome::Undecided {
+                near: Some(at.clone()),
+            },
+        }
+    }
+}
+
+/// "refuted at lambda = 1/3: value in […]".
+impl fmt::Display for Outcome {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Outcome::Proved => f.write_str("proved"),
+            Outcome::Refuted { witness, value } => {
+                write!(f, "refuted at lambda = {}: ", short(witness))?;
+                match value {
+                    Some(value) => write!(f, "value in {value}"),
+                    None => f.write_str("no value"),
+                }
+            }
+            Outcome::Undecided { near: Some(near) } => {
+                write!(f, "undecided near lambda = {}", short(near))
+            }
+            Outcome::Undecided { near: None } => f.write_str("undecided"),
+        }
+    }
+}
+
+/// A rational number as it is, or nearly where that takes too many digits.
+fn short(q: &Rational) -> String {
+    let text = q.to_string();
+    if text.len() <= LONGEST {
+        return text;
+    }
+    format!("about {:.6}", Float::with_val(64, q))
+}
+
 /// A statement and what became of it.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Check {
@@ -127,4 +189,15 @@ pub struct Check {
     pub statement: Statement,
     /// What became of it.
     pub outcome: Outcome,
+}
+
+impl Check {
+    /// What it says, and why it is not proved; `None` where it is.
+    #[must_use]
+    pub fn unproved(&self) -> Option<Unproved> {
+        (self.outcome != Outcome::Proved).then(|| Unproved {
+            claim: self.statement.to_string(),
+            reason: self.outcome.to_string(),
+        })
+    }
 }

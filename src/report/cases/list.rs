@@ -2,7 +2,7 @@
 
 use super::{Derived, decimal, value};
 use crate::case::Case;
-use crate::case::manufacture::{Manufactured, Outcome};
+use crate::case::manufacture::Manufactured;
 use crate::document::{
     About, Block, Cell, Column, Conclusion, Document, Fact, Section, Table, Tone,
 };
@@ -90,9 +90,7 @@ fn row(case: &Manufactured, tags: &str) -> Vec<Cell> {
 
 /// What is not proved.
 fn open(case: &Manufactured) -> Vec<String> {
-    let open = case.checks.iter().filter(|c| c.outcome != Outcome::Proved);
-    open.map(|check| format!("{}: {}", check.statement, value::outcome(&check.outcome)))
-        .collect()
+    case.unproved().iter().map(ToString::to_string).collect()
 }
 
 fn number(value: Result<Float, ReferenceError>) -> Cell {

@@ -154,7 +154,7 @@ fn checks(case: &Manufactured) -> Table {
             Outcome::Proved => Tone::Good,
             Outcome::Undecided { .. } | Outcome::Refuted { .. } => Tone::Open,
         };
-        let outcome = value::outcome(&check.outcome);
+        let outcome = check.outcome.to_string();
         vec![
             Cell::text(check.statement.to_string()),
             Cell::verdict(outcome, tone),

@@ -36,7 +36,10 @@ pub(super) fn orders(case: &Manufactured) -> Vec<Order> {
             Expected::Blind { general, here } => format!("{general} (shows {here})"),
             Expected::Unknown => "unknown".into(),
         },
-        theorem: method.theorem(&structure).map(|theorem| theorem.name),
+        theorem: method
+            .theorem(&structure)
+            .filter(|_| case.meets_theorems())
+            .map(|theorem| theorem.name),
     };
     methods.map(order).collect()
 }

@@ -1,6 +1,6 @@
 //! Exact numbers and exact answers, evaluated and written.
 
-use crate::case::manufacture::{Manufactured, Outcome};
+use crate::case::manufacture::Manufactured;
 use crate::case::{Case, SymbolicCase};
 use crate::real::{Format, Mpfr};
 use crate::reference::{self, ReferenceError};
@@ -105,22 +105,4 @@ pub(super) fn rational(q: &Rational) -> String {
         return text;
     }
     format!("about {}", decimal(&Float::with_val(SHOWN.bits, q)))
-}
-
-/// "refuted at lambda = 1/3: value in […]".
-pub(super) fn outcome(outcome: &Outcome) -> String {
-    match outcome {
-        Outcome::Proved => "proved".into(),
-        Outcome::Refuted { witness, value } => {
-            let value = match value {
-                Some(value) => format!("value in {value}"),
-                None => "no value".into(),
-            };
-            format!("refuted at lambda = {}: {value}", rational(witness))
-        }
-        Outcome::Undecided { near: Some(near) } => {
-            format!("undecided near lambda = {}", rational(near))
-        }
-        Outcome::Undecided { near: None } => "undecided".into(),
-    }
 }

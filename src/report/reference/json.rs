@@ -1,7 +1,7 @@
 //! Reference values as one JSON document.
 
 use super::{Found, source};
-use crate::case::Case;
+use crate::case::{Case, Unproved};
 use crate::convergence::serialize_float;
 use crate::render::ReportError;
 use crate::report::cases::{decimal_of, serialize_optional};
@@ -32,6 +32,8 @@ struct Object<'a> {
     transcendental_calls: u64,
     #[serde(serialize_with = "serialize_optional")]
     difference: Option<Float>,
+    /// What the value rests on without a proof.
+    unproved: &'a [Unproved],
 }
 
 /// All channels, indented, with a newline at the end.
@@ -63,5 +65,6 @@ fn object<'a>(found: &'a Found<'_>, digits: u32) -> Object<'a> {
         evaluations: reference.work.evaluations,
         transcendental_calls: reference.work.transcendental_calls,
         difference: found.difference.as_ref().map(|d| d.amount.clone()),
+        unproved: found.case.unproved(),
     }
 }

@@ -70,11 +70,12 @@ fn section(found: &Found<'_>, digits: u32) -> Section {
     if reference.source != Source::ClosedForm {
         let work = &reference.work;
         let grid = format!("{} panels, {} points", work.panels, work.points);
-        let work = format!(
-            "{} evaluations of the medium, {} transcendental functions",
-            work.evaluations, work.transcendental_calls
-        );
-        facts.extend([Fact::new("grid", grid), Fact::new("work", work)]);
+        let mut done = format!("{} evaluations of the medium", work.evaluations);
+        if reference.source == Source::Spectral {
+            let calls = work.transcendental_calls;
+            done = format!("{done}, {calls} transcendental functions");
+        }
+        facts.extend([Fact::new("grid", grid), Fact::new("work", done)]);
     }
     if let Some(difference) = &found.difference {
         let (verdict, tone) = if difference.is_within_errors {
@@ -86,6 +87,8 @@ fn section(found: &Found<'_>, digits: u32) -> Section {
         let words = format!("{amount} to the closed form, {verdict} both errors");
         facts.push(Fact::new("difference", words).toned(tone));
     }
+    let unproved = found.case.unproved().iter();
+    facts.extend(unproved.map(|open| Fact::new("not proved", open.to_string()).toned(Tone::Open)));
     let name = found.case.case.name();
     Section::of(name, name, [Block::Facts(facts)])
 }

@@ -30,7 +30,7 @@ pub(super) fn roots(
         found: Vec::new(),
     };
     search.isolate(&from.bracket.0, &to.bracket.1, 0)?;
-    let mut places = search.found;
+    let mut places = std::mem::take(&mut search.found);
     places.dedup();
     let mut inside = Vec::new();
     for place in places {
@@ -40,7 +40,7 @@ pub(super) fn roots(
         match ends {
             None => inside.push(place),
             // A root at the end itself, and not beside it.
-            Some(end) if place.exact.is_some() && same(&place, end) => {}
+            Some(end) if same(&place, end) || search.is_same_root(&place, end) => {}
             Some(end) => return Err(end.bracket.0.clone()),
         }
     }
@@ -77,6 +77,20 @@ struct Search<'e> {
 }
 
 impl Search<'_> {
+    /// Whether an end is a root of the same function, of which there is one only so near.
+    fn is_same_root(&self, place: &Place, end: &Place) -> bool {
+        let is_root = end.zero_of.as_ref().is_some_and(|zero| {
+            zero == self.expr || expand(&(zero + self.expr)).is_some_and(|sum| sum.is(0))
+        });
+        let (from, to) = (
+            place.bracket.0.clone().min(end.bracket.0.clone()),
+            place.bracket.1.clone().max(end.bracket.1.clone()),
+        );
+        let over = |name: &str| (name == self.symbol).then(|| Interval::hull(BITS, &from, &to));
+        let slope = || self.derivative.enclose(BITS, &over);
+        is_root && slope().is_ok_and(|slope| !slope.contains_zero())
+    }
+
     /// Adds the roots in [from, to].
     fn isolate(&mut self, from: &Rational, to: &Rational, halvings: u32) -> Result<(), Rational> {
         self.intervals += 1;
@@ -150,6 +164,7 @@ impl Search<'_> {
         Some(vec![Place {
             exact,
             bracket: (from, to),
+            zero_of: Some(self.expr.clone()),
         }])
     }
 }

@@ -170,6 +170,152 @@ fn wrong_claims_are_refused_with_a_witness() {
     }
 }
 
+/// Whatever holds beside a point says nothing of the point.
+#[test]
+fn a_value_at_a_single_point_counts() {
+    let layers = [
+        ("depth", "lambda"),
+        ("extinction", "1"),
+        ("emission", "1"),
+        ("radiance", "1 - exp(-lambda)"),
+    ];
+    for (key, value, statement) in [
+        (
+            "depth",
+            "piecewise(lambda <= 0, 5, lambda)",
+            Statement::DepthAtZero,
+        ),
+        (
+            "depth",
+            "piecewise(lambda >= 1, 0, lambda)",
+            Statement::DepthContinuous,
+        ),
+        (
+            "depth",
+            "piecewise(lambda < 1/2, lambda, lambda <= 1/2, 7, lambda)",
+            Statement::DepthContinuous,
+        ),
+        (
+            "depth",
+            "piecewise((lambda - 1/3)^2 <= 0, 7, lambda)",
+            Statement::DepthContinuous,
+        ),
+        (
+            "depth",
+            "piecewise(abs(lambda - sqrt(1/2)) <= 0, lambda + 1e-30, lambda)",
+            Statement::DepthContinuous,
+        ),
+        (
+            "radiance",
+            "piecewise(lambda < 1, 1 - exp(-lambda), 0)",
+            Statement::RadianceContinuous,
+        ),
+        (
+            "extinction",
+            "piecewise(abs(s - 1/2) <= 0, 7, 1)",
+            Statement::DepthDerivative,
+        ),
+        (
+            "emission",
+            "piecewise(s <= 0, 7, 1)",
+            Statement::RadianceDerivative,
+        ),
+    ] {
+        let lines = layers.map(|(name, plain)| {
+            let formula = if name == key { value } else { plain };
+            format!("{name} = \"{formula}\"\n")
+        });
+        match refused(&format!("{HEAD}{}", lines.concat())) {
+            ManufactureError::Refuted {
+                statement: refuted, ..
+            } => assert_eq!(refuted, statement, "{value}"),
+            error => panic!("{value}: {error}"),
+        }
+    }
+    // All of I is lost at the far end, where both closed forms are 0.
+    let lost = "name = \"a\"\nlength = 2\nextinction = \"piecewise(s < 1, 1, s < 2, 3, 0)\"\n\
+                emission = \"1\"\n\
+                depth = \"piecewise(lambda < 1, lambda, lambda < 2, 3*lambda - 2, 0)\"\n\
+                radiance = \"piecewise(lambda < 1, 1 - exp(-lambda), lambda < 2, 1 - exp(2 - 3*lambda), 0)\"";
+    let error = refused(lost).to_string();
+    assert!(
+        error.starts_with("t continuous fails at lambda = 2"),
+        "{error}"
+    );
+}
+
+#[test]
+fn an_inverse_has_a_value_or_is_none() {
+    let with = |inverse: &str| {
+        format!(
+            "{HEAD}depth = \"lambda\"\nemission_of_depth = \"1\"\nfield = \"lambda\"\n\
+             inverse = \"{inverse}\""
+        )
+    };
+    for inverse in ["s + 0*ln(abs(s) - s)", "s + 0*tan(2*s)", "s*(s/s)"] {
+        assert!(
+            matches!(
+                refused(&with(inverse)),
+                ManufactureError::Refuted {
+                    statement: Statement::InverseDefined,
+                    ..
+                }
+            ),
+            "{inverse}"
+        );
+    }
+    let touched = &made(&with("s + 0/(s^2 - 2*s*sqrt(1/3) + 1/3)"))[0];
+    for statement in [Statement::InverseDefined, Statement::Inverse] {
+        assert!(matches!(
+            outcome(touched, statement),
+            Outcome::Undecided { .. }
+        ));
+    }
+    assert!(!touched.is_proved() && touched.unproved().len() >= 2);
+}
+
+/// Both formulas are right, and give the kink to different sides.
+#[test]
+fn sides_of_a_kink_are_no_contradiction() {
+    let kink = &made(&format!(
+        "{HEAD}depth = \"max(lambda, 2*lambda - 1/2)\"\nextinction = \"piecewise(2*s <= 1, 1, 2)\"\n\
+         emission = \"1\"\nradiance = \"1 - exp(-max(lambda, 2*lambda - 1/2))\""
+    ))[0];
+    assert!(kink.is_proved(), "{:?}", kink.unproved());
+    // Where cos λ = λ, of which no closed form is known.
+    let kink = &made(&format!(
+        "{HEAD}depth = \"max(lambda - cos(lambda), 0)\"\n\
+         extinction = \"piecewise(s <= cos(s), 0, 1 + sin(s))\"\nemission = \"1\"\n\
+         radiance = \"1 - exp(-max(lambda - cos(lambda), 0))\""
+    ))[0];
+    assert!(kink.is_proved(), "{:?}", kink.unproved());
+}
+
+#[test]
+fn what_is_not_proved_is_reachable_from_the_case() {
+    let case = &made(&format!(
+        "{HEAD}depth = \"1 - cos(lambda)\"\nradiance = \"lambda^2\""
+    ))[0];
+    let unproved: Vec<String> = case
+        .case
+        .unproved()
+        .iter()
+        .map(ToString::to_string)
+        .collect();
+    assert_eq!(
+        unproved,
+        [
+            "C defined: undecided near lambda = 0",
+            "C >= 0: undecided near lambda = 0"
+        ]
+    );
+    assert!(!case.meets_theorems());
+    let proved = &made(catalogue::text("sine-squared").unwrap())[0];
+    assert!(proved.unproved().is_empty() && proved.meets_theorems());
+    let pole = refused("name = 'a'\nlength = 2\nextinction = '1 + tan(s)^2'\nemission = '1'");
+    assert!(pole.to_string().starts_with("tau defined fails"), "{pole}");
+}
+
 #[test]
 fn what_has_no_value_proves_nothing() {
     // Each is right wherever it has a value, and has none beyond 1/2.

@@ -134,6 +134,29 @@ fn refuted() {
     }
 }
 
+/// At irrational numbers, the witness being beside them.
+#[test]
+fn poles_are_found_by_the_sign_of_what_is_divided_by() {
+    for text in [
+        "tan(2*x)",
+        "1/cos(2*x)",
+        "x/(x^2 - 1/2)",
+        "0*(cos(2*x) + 1/7)^-3",
+        "piecewise(x < 1/2, 1, tan(2*x))",
+    ] {
+        let decision = on(text, (0, 1), (1, 1), Defined);
+        let Decision::Refuted {
+            witness,
+            value: None,
+        } = decision
+        else {
+            panic!("{text}: {decision:?}");
+        };
+        assert!((0.5..1.0).contains(&witness.to_f64()), "{text}: {witness}");
+    }
+    assert_eq!(on("tan(x)", (0, 1), (3, 2), Defined), Decision::Proved);
+}
+
 #[test]
 fn undecided() {
     for (text, claim) in [
@@ -143,8 +166,9 @@ fn undecided() {
         ("(x^2 - 1/2)^2", Nonzero),
         ("2 + 2*sin(5*x) - cos(5*x)^2/9", Positive),
         ("sin(x)^2 + cos(x)^2 - 1", NonNegative),
-        ("tan(2*x)", Defined),
-        ("1/cos(2*x)", Defined),
+        // A divisor that only touches 0, and one that may not be needed.
+        ("1/(1 + sin(5*x))", Defined),
+        ("piecewise(x^2 < 1/2, 1, 1/cos(2*x))", Defined),
         ("y + 1", Positive),
         ("x - x*y", Defined),
         // Both sides of a kink meet at 1, and slopes cannot tell which is taken.

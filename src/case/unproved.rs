@@ -1,0 +1,19 @@
+//! What is not proved of a case.
+
+use serde::Serialize;
+use std::fmt;
+
+/// A statement that a case rests on and that is not proved.
+#[derive(Clone, Debug, PartialEq, Eq, Serialize)]
+pub struct Unproved {
+    /// The statement: "tau defined".
+    pub claim: String,
+    /// What became of it: "undecided near lambda = 11/7".
+    pub reason: String,
+}
+
+impl fmt::Display for Unproved {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "{}: {}", self.claim, self.reason)
+    }
+}
