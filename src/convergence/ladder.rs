@@ -14,7 +14,7 @@ pub const MAX_SEGMENTS: u64 = 1 << 48;
 ///
 /// | text | levels |
 /// |---|---|
-/// | `10` | ten levels, n = 8, 16, …, 4096 |
+/// | `16` | n = 16 alone |
 /// | `8..4096` | n = 8, doubled while n ≤ 4096 |
 /// | `8..5000x3` | n = 8, tripled while n ≤ 5000 |
 /// | `9,18,37` | these n |
@@ -37,7 +37,7 @@ enum Levels {
 pub enum LadderError {
     /// The text has none of the forms.
     #[error(
-        "ladder '{text}' has no known form (allowed: 10, 8..4096, 8..5000x3, 9,18,37 or d=0.3,0.11)"
+        "ladder '{text}' has no known form (allowed: 16, 8..4096, 8..5000x3, 9,18,37 or d=0.3,0.11)"
     )]
     Form {
         /// The text given.

@@ -1,7 +1,7 @@
 //! What a kernel says of itself.
 
 use super::FormKind;
-use crate::method::{Method, Position};
+use crate::method::{Expected, Method, Position};
 use crate::real::FormatName;
 use std::fmt;
 use std::str::FromStr;
@@ -51,6 +51,40 @@ impl Declaration {
         }
     }
 
+    /// Whether all of it can be at once.
+    ///
+    /// # Errors
+    /// [`DeclarationError`] where a method is declared, and beside it what is not the method's.
+    pub fn check(&self) -> Result<(), DeclarationError> {
+        let Some(method) = self.method else {
+            return Ok(());
+        };
+        if let (Some(declared), Expected::Order(own) | Expected::Blind { general: own, .. }) =
+            (self.order, method.order())
+            && (declared - own).abs() > f64::EPSILON * own
+        {
+            return Err(DeclarationError::Order {
+                method: method.name(),
+                declared,
+                own,
+            });
+        }
+        let own = match method {
+            Method::Composited(compositing) => Sampling::from(compositing.position),
+            Method::Nested(_) | Method::Preintegrated(_) => return Ok(()),
+        };
+        match self.sampling {
+            // What is jittered about a place is meant to be the method in the mean.
+            None | Some(Sampling::Jittered) => Ok(()),
+            Some(declared) if declared == own => Ok(()),
+            Some(declared) => Err(DeclarationError::Sampling {
+                method: method.name(),
+                declared,
+                own,
+            }),
+        }
+    }
+
     /// Where it claims to sample: as it says, or as its method does.
     #[must_use]
     pub fn claimed_sampling(&self) -> Option<Sampling> {
@@ -60,6 +94,35 @@ impl Declaration {
         };
         self.sampling.or_else(of_method)
     }
+}
+
+/// What a kernel declares, and what its method rules out.
+#[derive(Clone, Debug, PartialEq, thiserror::Error)]
+pub enum DeclarationError {
+    /// Another order than the method's.
+    #[error(
+        "it declares order {declared} and method '{method}', which has order {own} (allowed: {own}, or one of the two)"
+    )]
+    Order {
+        /// The method.
+        method: String,
+        /// The order declared.
+        declared: f64,
+        /// The method's.
+        own: f64,
+    },
+    /// Samples elsewhere than the method's.
+    #[error(
+        "it declares sampling '{declared}' and method '{method}', which samples '{own}' (allowed: '{own}', or one of the two)"
+    )]
+    Sampling {
+        /// The method.
+        method: String,
+        /// The sampling declared.
+        declared: Sampling,
+        /// The method's.
+        own: Sampling,
+    },
 }
 
 /// Where a kernel samples its segments.

@@ -28,7 +28,7 @@ pub use built_in::BuiltIn;
 pub(crate) use built_in::radiance_in;
 pub use closure::Closure;
 pub use cut::{Cut, CutError, MAX_TASK_SEGMENTS};
-pub use declaration::{Declaration, Sampling};
+pub use declaration::{Declaration, DeclarationError, Sampling};
 pub use error::KernelError;
 pub use rendering::Rendering;
 pub use subject::{Subject, SubjectError};

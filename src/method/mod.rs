@@ -37,7 +37,7 @@ pub use preintegrated::{
 };
 pub use theorem::Theorem;
 
-use crate::case::{AnyNodes, Case, Nodes, Number};
+use crate::case::{AnyNodes, Case, Nodes, Number, Structure};
 use crate::real::Format;
 use std::fmt;
 
@@ -104,15 +104,24 @@ impl Method {
         }
     }
 
+    /// The order on smooth rays of which nothing else is known.
+    #[must_use]
+    pub fn order(&self) -> Expected {
+        Expected::from_limits(&self.limits_of(&Structure::default()))
+    }
+
     /// What limits the method's order on `case`, part by part, on whatever ladder: breaks of the medium are
     /// taken to lie off the nodes.
     #[must_use]
     pub fn limits<C: Case>(&self, case: &C) -> Vec<Limit> {
-        let structure = case.structure();
+        self.limits_of(&case.structure())
+    }
+
+    fn limits_of(&self, structure: &Structure) -> Vec<Limit> {
         match self {
-            Method::Nested(nested) => nested.limits(&structure),
-            Method::Composited(compositing) => compositing.limits(&structure),
-            Method::Preintegrated(preintegrated) => preintegrated.limits(&structure),
+            Method::Nested(nested) => nested.limits(structure),
+            Method::Composited(compositing) => compositing.limits(structure),
+            Method::Preintegrated(preintegrated) => preintegrated.limits(structure),
         }
     }
 

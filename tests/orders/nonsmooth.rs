@@ -158,7 +158,7 @@ fn options_of_the_tables_do_not_go_with_it() {
         ["--inner", "simpson"],
         ["--outer", "boole"],
         ["--format", "f32"],
-        ["--levels", "6"],
+        ["--levels", "8..256"],
         ["--seed", "2"],
     ] {
         volver(&option)

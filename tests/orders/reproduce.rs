@@ -40,7 +40,7 @@ fn names<'a>(document: &'a Value, table: &str, axis: &str) -> BTreeSet<&'a str> 
 
 #[test]
 fn json_has_every_entry_with_every_field() {
-    let document = json(&["--levels", "6"]);
+    let document = json(&["--levels", "8..256"]);
     let outer = BTreeSet::from(["boole", "riemann", "simpson", "trapezoid"]);
     let inner = BTreeSet::from(["riemann", "trapezoid", "simpson", "gauss-3", "monte-carlo"]);
     let mut exact = inner.clone();
@@ -91,7 +91,7 @@ fn one_entry_is_right_in_every_figure() {
         "--outer",
         "trapezoid",
         "--levels",
-        "9",
+        "8..2048",
     ]);
     let tables: Vec<_> = entries(&document).iter().map(|e| &e["table"]).collect();
     assert_eq!(tables, ["1-exact", "1-linear", "1-cubic"]);
@@ -147,7 +147,7 @@ fn coarse_formats_never_confirm_a_wrong_order() {
 fn a_report_is_a_directory_of_whole_files() {
     let parent = tempfile::tempdir().unwrap();
     let directory = parent.path().join("new/report");
-    volver(&["--table", "2", "--levels", "6", "--out"])
+    volver(&["--table", "2", "--levels", "8..256", "--out"])
         .arg(&directory)
         .assert()
         .code(0)
@@ -211,7 +211,7 @@ fn bad_input_is_named_in_one_line_and_leaves_no_file() {
         ),
         (
             vec!["--levels", "0"],
-            "0 levels are not allowed (allowed: 1 to 64)",
+            "0 segments are not allowed (allowed: 1 to 281474976710656)",
         ),
         (
             vec!["--levels", "many"],
@@ -248,7 +248,7 @@ fn bad_input_is_named_in_one_line_and_leaves_no_file() {
 #[test]
 fn lines_fit_a_terminal_and_colours_show_on_request_only() {
     let run = |color| {
-        let arguments = ["--table", "2", "--levels", "6", "--color", color];
+        let arguments = ["--table", "2", "--levels", "8..256", "--color", color];
         let output = volver(&arguments)
             .assert()
             .code(0)

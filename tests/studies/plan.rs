@@ -3,6 +3,8 @@
 mod certify;
 mod choose;
 mod scenes;
+mod smooth;
+mod thick;
 mod uniform;
 
 use rayon::prelude::*;

@@ -111,7 +111,7 @@ fn every_report_has_a_page() {
             false,
         ),
         (
-            &["reproduce", "--table", "2", "--levels", "5"],
+            &["reproduce", "--table", "2", "--levels", "8..128"],
             "reproduce",
             "entries",
             true,

@@ -4,9 +4,6 @@ use super::{Ladder, LadderError, Levels};
 use std::fmt;
 use std::str::FromStr;
 
-/// First level of a ladder given by its number of levels alone.
-const FIRST: u64 = 8;
-
 impl FromStr for Ladder {
     type Err = LadderError;
 
@@ -41,8 +38,8 @@ impl FromStr for Ladder {
             let list: Result<Vec<u64>, _> = text.split(',').map(number).collect();
             return Self::segments(list?);
         }
-        let levels = number(text).map_err(|_| form())?;
-        Self::geometric(FIRST, 2, usize::try_from(levels).unwrap_or(usize::MAX))
+        let only = number(text).map_err(|_| form())?;
+        Self::segments(vec![only])
     }
 }
 
@@ -52,7 +49,6 @@ impl fmt::Display for Ladder {
             Levels::Segments(list) => match (geometric_ratio(list), &list[..]) {
                 (Some(2), [first, .., last]) => format!("{first}..{last}"),
                 (Some(ratio), [first, .., last]) => format!("{first}..{last}x{ratio}"),
-                (_, [only]) => format!("{only}..{only}"),
                 _ => join(list),
             },
             Levels::Steps(list) => format!("d={}", join(list)),

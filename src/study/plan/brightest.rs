@@ -44,7 +44,7 @@ pub(super) fn brightest(scene: &Scene) -> Result<Vec<f64>, PlanError> {
                         from: piece.from.clone(),
                         to: piece.to.clone(),
                     };
-                    let found = bound_emission(program.program(), stretch, brightest.len());
+                    let found = bound_emission(program.program(), stretch);
                     let found = found.map_err(|lambda| PlanError::NotResolved {
                         medium: of_one.name.clone(),
                         lambda,
@@ -61,34 +61,75 @@ pub(super) fn brightest(scene: &Scene) -> Result<Vec<f64>, PlanError> {
     Ok(brightest)
 }
 
-/// Halved until it is finite on every part; on the error near which place it is not.
-fn bound_emission(program: &Program, whole: Stretch, channels: usize) -> Result<Vec<f64>, f64> {
-    const MAX_PARTS: usize = 4096;
-    let mut brightest = vec![0.0_f64; channels];
-    let mut open = vec![whole];
-    let mut parts = 0;
-    while let Some(part) = open.pop() {
-        parts += 1;
-        let found = series(program, &part, 0);
-        let is_finite = |(emission, extinction): &(Taylor, Taylor)| {
-            emission.coefficient(0).magnitude().is_finite()
-                && extinction.coefficient(0).magnitude().is_finite()
-        };
-        if found.iter().all(is_finite) {
-            for (brightest, (emission, _)) in brightest.iter_mut().zip(&found) {
-                *brightest = brightest.max(emission.coefficient(0).magnitude());
+/// A part of a piece, with what its light is at most, by channel.
+struct Part {
+    stretch: Stretch,
+    brightest: Vec<f64>,
+}
+
+impl Part {
+    fn new(program: &Program, stretch: Stretch) -> Part {
+        let found = series(program, &stretch, 0);
+        let bound = |(emission, extinction): &(Taylor, Taylor)| {
+            let emission = emission.coefficient(0).magnitude();
+            if extinction.coefficient(0).magnitude().is_finite() {
+                emission
+            } else {
+                f64::INFINITY
             }
-        } else if parts > MAX_PARTS {
-            return Err(part.from.to_f64());
-        } else {
-            let middle = Rational::from(&part.from + &part.to) / 2;
-            let half = |from: &Rational, to: &Rational| Stretch {
+        };
+        Part {
+            stretch,
+            brightest: found.iter().map(bound).collect(),
+        }
+    }
+
+    fn most(&self) -> f64 {
+        self.brightest.iter().copied().fold(0.0, f64::max)
+    }
+
+    fn halves(&self, program: &Program) -> [Part; 2] {
+        let Stretch { from, to, .. } = &self.stretch;
+        let middle = Rational::from(from + to) / 2;
+        let half = |from: &Rational, to: &Rational| {
+            let stretch = Stretch {
                 from: from.clone(),
                 to: to.clone(),
-                ..part.clone()
+                ..self.stretch.clone()
             };
-            open.push(half(&part.from, &middle));
-            open.push(half(&middle, &part.to));
+            Part::new(program, stretch)
+        };
+        [half(from, &middle), half(&middle, to)]
+    }
+}
+
+/// The brightest part is halved until that tells nothing more: an enclosure over all of a piece may be larger than its
+/// values by hundreds of orders of magnitude. On the error near which place there is no bound.
+fn bound_emission(program: &Program, whole: Stretch) -> Result<Vec<f64>, f64> {
+    const MAX_PARTS: usize = 4096;
+    /// Halves that are less than this times the whole tell something.
+    const LESS: f64 = 0.75;
+    let mut parts = vec![Part::new(program, whole)];
+    while parts.len() < MAX_PARTS {
+        parts.sort_by(|a, b| a.most().total_cmp(&b.most()));
+        let Some(brightest) = parts.pop() else { break };
+        let halves = brightest.halves(program);
+        let most = halves.iter().map(Part::most).fold(0.0, f64::max);
+        let is_told = most.is_finite() && most >= LESS * brightest.most();
+        if is_told {
+            parts.push(brightest);
+            break;
+        }
+        parts.extend(halves);
+    }
+    let mut brightest: Vec<f64> = Vec::new();
+    for part in &parts {
+        if !part.most().is_finite() {
+            return Err(part.stretch.from.to_f64());
+        }
+        brightest.resize(part.brightest.len(), 0.0);
+        for (brightest, of_part) in brightest.iter_mut().zip(&part.brightest) {
+            *brightest = brightest.max(*of_part);
         }
     }
     Ok(brightest)

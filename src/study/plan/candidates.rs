@@ -2,10 +2,10 @@
 
 use super::layout::Stretch;
 use super::light::{Light, by_points, size};
-use super::survey::{Survey, order};
+use super::survey::{Panel, Survey, order};
 use super::weights::Weights;
 use super::{Cost, Model, PlanError};
-use crate::real::Format;
+use crate::real::{Format, Real};
 use crate::scene::Form;
 use std::ops::Range;
 
@@ -17,8 +17,6 @@ const POINTS: [u32; 20] = [
 const ENOUGH: f64 = 1e-3;
 /// A stretch for which so few points are enough is not divided.
 const FEW: u32 = 3;
-/// Beyond this depth the closed form of linear media is not worth its terms.
-const THICKEST: f64 = 1000.0;
 
 /// A model for a stretch.
 #[derive(Clone, Debug, PartialEq)]
@@ -159,7 +157,8 @@ impl<F: Format> Explorer<'_, '_, F> {
             exact: &exact,
         };
         let format = survey.layout.format;
-        let mut found = vec![self.candidate(Model::Nothing, {
+        let depth = deepest(&exact);
+        let mut found = vec![self.candidate(Model::Nothing, depth, {
             let none: Vec<_> = exact.iter().map(|_| Light::none(format)).collect();
             weights.because(&none).error()
         })];
@@ -169,12 +168,9 @@ impl<F: Format> Explorer<'_, '_, F> {
             piece.is_some_and(|piece| piece.from == stretch.from && piece.to == stretch.to);
         match form {
             Some(Form::Vacuum) => return Ok((found, true)),
-            Some(Form::Constant(_)) => found.push(self.candidate(Model::Constant, 0.0)),
+            Some(Form::Constant(_)) => found.push(self.candidate(Model::Constant, depth, 0.0)),
             Some(Form::Linear { .. }) if is_whole_piece => {
-                let depths = exact.iter().map(|light| size(&light.depth));
-                if depths.fold(0.0, f64::max) < THICKEST {
-                    found.push(self.candidate(Model::Linear, 0.0));
-                }
+                found.push(self.candidate(Model::Linear, depth, 0.0));
             }
             _ => {}
         }
@@ -183,13 +179,7 @@ impl<F: Format> Explorer<'_, '_, F> {
             return Ok((found, true));
         }
         let constant_emission = has_constant_emission(form);
-        let enough = self.by_points(
-            &stretch,
-            &weights,
-            panels.len(),
-            constant_emission,
-            &mut found,
-        )?;
+        let enough = self.by_points(&stretch, &weights, panels, constant_emission, &mut found)?;
         Ok((found, enough.is_some_and(|points| points <= FEW)))
     }
 
@@ -198,17 +188,18 @@ impl<F: Format> Explorer<'_, '_, F> {
         &self,
         stretch: &Stretch,
         weights: &Weights<'_, F::Real>,
-        panels: usize,
+        panels: &Range<usize>,
         constant_emission: bool,
         found: &mut Vec<Candidate>,
     ) -> Result<Option<u32>, PlanError> {
         let layout = &self.survey.layout;
         // Without points, what is exact costs so much.
-        let closed = self.closed_cost(stretch);
+        let closed = self.closed_cost(panels);
+        let depth = deepest(weights.exact);
         let begin = found.len();
         let mut enough: Option<u32> = None;
         // So many points are certain to be enough on one panel.
-        let certain = (panels == 1).then(|| order(layout.format.bits()));
+        let certain = (panels.len() == 1).then(|| order(layout.format.bits()));
         for points in POINTS.into_iter().chain(certain) {
             let mut models = vec![Model::Quadrature { points }];
             if constant_emission {
@@ -216,7 +207,7 @@ impl<F: Format> Explorer<'_, '_, F> {
             }
             models.push(Model::EmissionOnly { points });
             models.push(Model::AbsorptionOnly { points });
-            if self.cost.of(models[0], layout.channels) >= closed {
+            if self.cost.of(models[0], layout.channels, depth) >= closed {
                 break;
             }
             let looked = layout.look(stretch, points)?;
@@ -232,7 +223,7 @@ impl<F: Format> Explorer<'_, '_, F> {
                     .collect();
                 let error = weights.because(&light).error();
                 best = best.min(error);
-                found.push(self.candidate(model, error));
+                found.push(self.candidate(model, depth, error));
             }
             if best > ENOUGH * self.tolerance {
                 enough = None;
@@ -247,32 +238,38 @@ impl<F: Format> Explorer<'_, '_, F> {
         Ok(enough)
     }
 
-    /// What the stretch costs by closed forms of all its pieces, where they have some.
-    fn closed_cost(&self, stretch: &Stretch) -> f64 {
-        let channels = self.survey.layout.channels;
-        let media = self.survey.scene.media();
-        let pieces = media.get(stretch.medium).map(|medium| &medium.pieces);
-        let pieces = pieces.and_then(|pieces| pieces.get(stretch.pieces.clone()));
-        let cost = |form: &Form| match form {
-            Form::Vacuum => 0.0,
-            Form::Constant(_) => self.cost.of(Model::Constant, channels),
-            Form::Linear { .. } => self.cost.of(Model::Linear, channels),
-            Form::Smooth { .. } => f64::INFINITY,
+    /// What the panels cost by closed forms, which they are pieces of where they have some.
+    fn closed_cost(&self, panels: &Range<usize>) -> f64 {
+        let survey = self.survey;
+        let panels = survey.panels.get(panels.clone()).unwrap_or_default();
+        let cost = |panel: &Panel<F::Real>| {
+            let piece = panel.stretch.only_piece(survey.scene);
+            let model = match piece.map(|piece| &piece.form) {
+                Some(Form::Vacuum) => Model::Nothing,
+                Some(Form::Constant(_)) => Model::Constant,
+                Some(Form::Linear { .. }) => Model::Linear,
+                Some(Form::Smooth { .. }) | None => return f64::INFINITY,
+            };
+            let depth = deepest(&panel.light);
+            self.cost.of(model, survey.layout.channels, depth)
         };
-        pieces
-            .into_iter()
-            .flatten()
-            .map(|piece| cost(&piece.form))
-            .sum()
+        panels.iter().map(cost).sum()
     }
 
-    fn candidate(&self, model: Model, error: f64) -> Candidate {
+    fn candidate(&self, model: Model, depth: f64, error: f64) -> Candidate {
+        let channels = self.survey.layout.channels;
         Candidate {
             model,
-            cost: self.cost.of(model, self.survey.layout.channels),
+            cost: self.cost.of(model, channels, depth),
             error,
         }
     }
+}
+
+/// The optical depth in the channel where that is most.
+fn deepest<R: Real>(light: &[Light<R>]) -> f64 {
+    let depths = light.iter().map(|of_one| size(&of_one.depth));
+    depths.fold(0.0, f64::max)
 }
 
 /// A model of few points counts with the largest error of it and of all of its kind with more.

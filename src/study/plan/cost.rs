@@ -1,6 +1,7 @@
 //! What models cost.
 
 use super::Model;
+use super::light::opaque;
 use crate::real::counted::{Counted, Kind, count};
 use crate::real::{Counts, Format, FormatName, Native};
 use crate::scene::{BoundPiece, Columns, Scene};
@@ -57,11 +58,11 @@ impl TimeCost {
 const SIMPLER: f64 = 1e-3;
 
 impl Cost {
-    /// What a model costs, for so many channels.
-    pub(super) fn of(self, model: Model, channels: usize) -> f64 {
+    /// What a model costs, for so many channels and a stretch of that optical depth.
+    pub(super) fn of(self, model: Model, channels: usize, depth: f64) -> f64 {
         let evaluations = f64::from(model.evaluations());
         let channels = channels as f64;
-        let work = Work::of(model);
+        let work = Work::of(model, depth);
         match self {
             Cost::Evaluations => evaluations + SIMPLER * (1.0 - 1.0 / (1.0 + work.exponentials)),
             Cost::Time(time) => {
@@ -80,7 +81,7 @@ struct Work {
 }
 
 impl Work {
-    fn of(model: Model) -> Work {
+    fn of(model: Model, depth: f64) -> Work {
         let points = f64::from(model.points().unwrap_or(0));
         let (exponentials, multiplications) = match model {
             Model::Nothing => (0.0, 0.0),
@@ -88,8 +89,12 @@ impl Work {
             Model::AbsorptionOnly { .. } => (1.0, points),
             Model::Constant => (2.0, 2.0),
             Model::ConstantEmission { .. } => (2.0, points + 1.0),
-            // Its series has some twenty terms of three products.
-            Model::Linear => (1.0, 60.0),
+            // Its series has some twenty terms of three products, on every stretch of depth 1 that is seen.
+            Model::Linear => {
+                let seen = opaque(f64::MANTISSA_DIGITS) as f64;
+                let stretches = depth.ceil().clamp(1.0, seen);
+                (stretches, 60.0 * stretches)
+            }
             Model::Quadrature { .. } => (points + 1.0, points * (points + 4.0)),
         };
         Work {

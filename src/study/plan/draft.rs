@@ -28,13 +28,21 @@ pub(super) struct Draft {
     pub(super) uncertainty: Uncertainty,
 }
 
+/// What is lacking for a draft in a format.
+pub(super) enum Lacking {
+    /// The radiance is not known well enough.
+    Bits,
+    /// No models add up to little enough: numbers are beyond the format's range.
+    Models,
+}
+
 impl Draft {
-    /// The cheapest models; `None` where the radiance is not known well enough in that format.
+    /// The cheapest models, or what is lacking for them in that format.
     pub(super) fn new<F: Format>(
         scene: &Scene,
         settings: &Settings,
         format: F,
-    ) -> Result<Option<Draft>, PlanError> {
+    ) -> Result<Result<Draft, Lacking>, PlanError> {
         let tolerance = settings.tolerance;
         let survey = Survey::new(scene, format, tolerance)?;
         let reference = survey.uncertainty;
@@ -46,7 +54,7 @@ impl Draft {
             });
         }
         if reference.is_nan() || reference > FOR_REFERENCE * tolerance {
-            return Ok(None);
+            return Ok(Err(Lacking::Bits));
         }
         let forest = Forest::new(&survey, settings.cost, tolerance)?;
         let mut allowed = FOR_MODELS * tolerance - reference;
@@ -54,15 +62,15 @@ impl Draft {
         // much, less is allowed of each.
         for _ in 0..8 {
             let Some(chosen) = choose(&forest, allowed) else {
-                return Ok(None);
+                return Ok(Err(Lacking::Models));
             };
             let draft = Draft::of(&survey, &forest, &chosen)?;
             if draft.uncertainty.models <= FOR_MODELS * tolerance - reference {
-                return Ok(Some(draft));
+                return Ok(Ok(draft));
             }
             allowed /= 2.0;
         }
-        Ok(None)
+        Ok(Err(Lacking::Models))
     }
 
     /// What was chosen, with the bounds that hold for it.

@@ -59,6 +59,22 @@ pub enum PlanError {
         /// The bits that were tried last.
         bits: u32,
     },
+    /// Models that are too coarse, all of them.
+    #[error(
+        "no models that are tried add up to less than {tolerance:e} (allowed: a larger tolerance, or media of more pieces)"
+    )]
+    Models {
+        /// What is asked for.
+        tolerance: f64,
+    },
+    /// Too much to do.
+    #[error(
+        "a plan takes more than {work:e} products of numbers (allowed: a larger tolerance, fewer pieces, or media without narrow features)"
+    )]
+    Work {
+        /// How many it may take, of binary64.
+        work: u64,
+    },
     /// A plan of another scene.
     #[error("the plan is for scene {plan}, not {scene} (allowed: the scene that it was made for)")]
     OtherScene {
@@ -96,4 +112,14 @@ pub enum PlanError {
     /// A rule of no points, or too many.
     #[error(transparent)]
     Rule(#[from] RuleError),
+}
+
+impl PlanError {
+    /// Whether a format of more range may do.
+    pub(super) fn is_of_range(&self) -> bool {
+        matches!(
+            self,
+            PlanError::NotFinite { .. } | PlanError::Method(MethodError::ThickSegment { .. })
+        )
+    }
 }

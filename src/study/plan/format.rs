@@ -35,7 +35,7 @@ impl Draft {
         for format in formats {
             let rounding = match rehearsed(format) {
                 Ok(rounding) => rounding,
-                Err(PlanError::NotFinite { .. }) => f64::INFINITY,
+                Err(error) if error.is_of_range() => f64::INFINITY,
                 Err(error) => return Err(error),
             };
             if rounding <= left {

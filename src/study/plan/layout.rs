@@ -1,16 +1,26 @@
 //! A scene in a format, and the places where its models look.
 
-use crate::quadrature::{Collocation, RuleError, collocation};
+use super::PlanError;
+use crate::quadrature::{Collocation, collocation};
 use crate::real::{Format, Native, row};
 use crate::scene::{BoundPiece, Columns, Medium, Piece, Scene};
 use rug::Rational;
+use std::cell::Cell;
 use std::ops::Range;
 use std::sync::Arc;
+
+/// The most work of a plan in one format, in products of binary64: a minute or so.
+const MAX_WORK: u64 = 30_000_000_000;
+/// How many products a number of the medium costs, and a product of MPFR for every 64 bits.
+const OF_A_POINT: u64 = 32;
+const OF_MPFR: u64 = 16;
 
 /// A scene with its constants in a format.
 pub(super) struct Layout<'s, F: Format> {
     pub(super) format: F,
     pub(super) channels: usize,
+    /// What was done so far, in products of binary64.
+    work: Cell<u64>,
     media: Vec<Vec<Laid<'s, F>>>,
 }
 
@@ -62,8 +72,26 @@ impl<'s, F: Format> Layout<'s, F> {
         Layout {
             format,
             channels: scene.channels().len(),
+            work: Cell::new(0),
             media: row(media.map(|medium| row(medium.pieces.iter().map(laid)))),
         }
+    }
+
+    /// Takes what some products of numbers of the format cost from what a plan may.
+    pub(super) fn spend(&self, products: u64) -> Result<(), PlanError> {
+        let weight = match self.format.bits() {
+            ..=64 => 1,
+            bits => OF_MPFR * u64::from(bits / 64),
+        };
+        let work = self
+            .work
+            .get()
+            .saturating_add(products.saturating_mul(weight));
+        self.work.set(work);
+        if work > MAX_WORK {
+            return Err(PlanError::Work { work: MAX_WORK });
+        }
+        Ok(())
     }
 
     /// C and τ of a stretch at that many points.
@@ -73,7 +101,10 @@ impl<'s, F: Format> Layout<'s, F> {
         &self,
         stretch: &Stretch,
         points: u32,
-    ) -> Result<Looked<F::Real>, RuleError> {
+    ) -> Result<Looked<F::Real>, PlanError> {
+        // The medium at every point, and the depth at each from the values at all.
+        let of_points = u64::from(points) * (u64::from(points) + OF_A_POINT);
+        self.spend(of_points * self.channels as u64)?;
         let table = collocation(points, self.format)?;
         let (from, length) = (
             self.format.ratio(&stretch.from),

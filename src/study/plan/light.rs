@@ -36,8 +36,10 @@ impl<R: Real> Light<R> {
 
     /// C and τ linear over a length.
     ///
+    /// Nothing is seen of what lies behind a depth of [`opaque`]: there the integral ends.
+    ///
     /// # Errors
-    /// [`MethodError::ThickSegment`] where the depth is beyond 65536.
+    /// [`MethodError::ThickSegment`] where the numbers are beyond the format's range.
     pub(super) fn linear(
         front: &Transfer<R>,
         back: &Transfer<R>,
@@ -48,17 +50,63 @@ impl<R: Real> Light<R> {
         let slope = back.extinction.clone() - &front.extinction;
         let rise = back.emission.clone() - &front.emission;
         // C τ h as a polynomial on [0, 1].
-        let source = [
+        let mut source = [
             front.emission.clone() * &front.extinction * length,
             (rise.clone() * &front.extinction + &(front.emission.clone() * &slope)) * length,
             rise * &slope * length,
         ];
-        let depth = [front.extinction.clone() * length, slope * length * &half];
+        let mut depth = [front.extinction.clone() * length, slope * length * &half];
+        let whole = depth[0].clone() + &depth[1];
+        let seen = format.int(opaque(format.bits()));
+        if whole > seen {
+            let part = part_of_depth(&depth, seen);
+            let mut power = part.clone();
+            for (k, coefficient) in source.iter_mut().enumerate() {
+                *coefficient *= &power;
+                if let Some(depth) = depth.get_mut(k) {
+                    *depth *= &power;
+                }
+                power *= &part;
+            }
+        }
         Ok(Light {
             radiance: attenuated_integral(&source, &depth)?,
-            depth: depth[0].clone() + &depth[1],
+            depth: whole,
         })
     }
+}
+
+/// The depth behind which light is below 2^(−32) units in the last place of that in front, and below any
+/// tolerance. Three times it is no segment too thick for the closed form.
+pub(super) fn opaque(bits: u32) -> i64 {
+    const OF_EVERY_TOLERANCE: i64 = 1 << 14;
+    // ln 2 is below 7/10.
+    let of_format = (i64::from(bits) + 32) * 7 / 10 + 1;
+    of_format.min(OF_EVERY_TOLERANCE)
+}
+
+/// Where on [0, 1] t = a x + b x² has that value, which is less than at 1; t never falls.
+///
+/// x = 2 t/(a + √(a² + 4 b t)), all divided by the larger of a and √(4 |b| t), whose squares may be no numbers.
+fn part_of_depth<R: Real>([a, b]: &[R; 2], depth: R) -> R {
+    let format = depth.format();
+    let twice = format.int(2) * &depth;
+    let bend = b.clone().abs().sqrt() * &(format.int(2) * &depth.sqrt());
+    let unit = if *a > bend { a.clone() } else { bend.clone() };
+    let (straight, bent) = (a.clone() / &unit, bend / &unit);
+    let mut square = straight.clone() * &straight;
+    if *b < format.int(0) {
+        square -= &(bent.clone() * &bent);
+    } else {
+        square += &(bent.clone() * &bent);
+    }
+    // Rounding alone makes it negative, where t has its largest value.
+    let root = if square > format.int(0) {
+        square.sqrt()
+    } else {
+        format.int(0)
+    };
+    twice / &unit / &(straight + &root)
 }
 
 /// The sums that a rule makes of C and τ at its points.

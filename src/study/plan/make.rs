@@ -1,6 +1,6 @@
 //! Making a plan, and what it says.
 
-use super::draft::{Draft, working_bits};
+use super::draft::{Draft, Lacking, working_bits};
 use super::run::{Rendered, Task, run};
 use super::settings::MAX_BITS;
 use super::stored::{Checked, CheckedChannel, StoredPlan};
@@ -60,14 +60,21 @@ impl Plan {
         let mut bits = working_bits(scene, tolerance);
         loop {
             let drafted = if bits <= f64::MANTISSA_DIGITS {
-                Draft::new(scene, settings, Native::<f64>::new())?
+                match Draft::new(scene, settings, Native::<f64>::new()) {
+                    Err(error) if error.is_of_range() => Err(Lacking::Models),
+                    drafted => drafted?,
+                }
             } else {
                 Draft::new(scene, settings, Mpfr { bits })?
             };
             match drafted {
-                Some(draft) => return draft.in_a_format(scene, settings),
-                None if bits < MAX_BITS => bits = (2 * bits).max(128),
-                None => return Err(PlanError::Bits { tolerance, bits }),
+                Ok(draft) => return draft.in_a_format(scene, settings),
+                // MPFR has the range that binary64 lacks; more bits have no more of it.
+                Err(Lacking::Models) if bits > f64::MANTISSA_DIGITS => {
+                    return Err(PlanError::Models { tolerance });
+                }
+                Err(_) if bits < MAX_BITS => bits = (2 * bits).max(128),
+                Err(_) => return Err(PlanError::Bits { tolerance, bits }),
             }
         }
     }

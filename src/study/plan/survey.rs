@@ -178,6 +178,9 @@ impl<F: Format> Surveyor<'_, '_, F> {
         };
         let mut open = vec![(whole, 0)];
         while let Some((panel, halvings)) = open.pop() {
+            let instructions = program.program().instructions().len() as u64;
+            self.layout
+                .spend(instructions * u64::from(self.order).pow(2))?;
             let series = series(program.program(), &panel, self.order);
             if let Some(uncertainty) = self.uncertainty(&series, &panel) {
                 let light = self.light(&panel)?;

@@ -3,7 +3,7 @@
 use super::{Axis, Settings};
 use crate::case::{Case, Structure, SymbolicCase};
 use crate::kernel::{Declaration, FormKind};
-use crate::method::{Expected, Method, expected, expected_on};
+use crate::method::{Expected, expected, expected_on};
 
 /// The order of linear interpolation between grid points.
 const GRID_ORDER: f64 = 2.0;
@@ -33,7 +33,10 @@ pub(super) fn of(
         return Some(general(GRID_ORDER));
     }
     match (declaration.method, declaration.order) {
-        (Some(method), _) if declaration.form == FormKind::Volume => Some(on_volume(&method)),
+        (Some(method), _) if declaration.form == FormKind::Volume => {
+            // Breaks lie on nodes: those of a grid do, on ladders that the grid divides.
+            Some(method.order())
+        }
         // One sample stands for the wall, up to a step in front of it.
         (Some(_), _) if declaration.far_wall => Some(Expected::Order(1.0)),
         (Some(method), _) if settings.uneven => Some(expected(&method, case)),
@@ -41,16 +44,6 @@ pub(super) fn of(
         (None, Some(order)) => Some(general(order)),
         (None, None) => None,
     }
-}
-
-/// The order of a method in general, breaks lying on nodes: those of a grid do, on ladders that the grid divides.
-fn on_volume(method: &Method) -> Expected {
-    let structure = Structure::default();
-    Expected::from_limits(&match method {
-        Method::Nested(nested) => nested.limits(&structure),
-        Method::Composited(compositing) => compositing.limits(&structure),
-        Method::Preintegrated(preintegrated) => preintegrated.limits(&structure),
-    })
 }
 
 /// Whether a method of any order shows at least that order on a case of that structure.

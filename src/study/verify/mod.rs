@@ -23,7 +23,7 @@ pub use standing::{Counts, Standing};
 use super::Progress;
 use crate::convergence::Verdict;
 use crate::diagnosis::{Accuracy, Fingerprint, Watched, fingerprint};
-use crate::kernel::{Declaration, Kernel, Subject};
+use crate::kernel::{Declaration, DeclarationError, Kernel, Subject};
 use crate::reference::ReferenceError;
 use asked::Asked;
 
@@ -112,6 +112,7 @@ pub fn verify(
     shown: &mut dyn FnMut(&Line),
 ) -> Result<Verification, VerifyError> {
     let declaration = kernel.declaration().clone();
+    declaration.check()?;
     let mut lines = Vec::new();
     let mut watched: Vec<Watched> = Vec::new();
     let mut unanswered = 0;
@@ -163,6 +164,9 @@ pub fn verify(
 /// What no verification can be made of.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
 pub enum VerifyError {
+    /// The kernel declares what cannot all be.
+    #[error(transparent)]
+    Declaration(#[from] DeclarationError),
     /// The ray of a case cannot be cut so.
     #[error("{case}: {error}")]
     Cut {

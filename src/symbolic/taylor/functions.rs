@@ -169,10 +169,7 @@ impl Taylor {
 
     /// atan f, by y′ = f′/(1 + f²).
     pub(super) fn atan(&self, order: usize) -> Taylor {
-        let mut square = self.times(self, order);
-        if let Some(first) = square.0.first_mut() {
-            *first = first.intersection(Range::new(0.0, f64::INFINITY));
-        }
+        let square = self.squared(order);
         let below = square.plus(&Taylor::constant(Range::point(1.0)));
         let slope = self.derivative().divided_by(&below, order);
         Taylor::from_derivative(self.coefficient(0).increasing(f64::atan), &slope, order)
@@ -180,10 +177,7 @@ impl Taylor {
 
     /// erf f, by y′ = 2/√π e^(−f²) f′.
     pub(super) fn erf(&self, order: usize) -> Taylor {
-        let mut square = self.times(self, order);
-        if let Some(first) = square.0.first_mut() {
-            *first = first.intersection(Range::new(0.0, f64::INFINITY));
-        }
+        let square = self.squared(order);
         let bell = square.negated().exp(order);
         let factor = std::f64::consts::FRAC_2_SQRT_PI;
         let factor = Taylor::constant(Range::point(factor).widened(factor * f64::EPSILON));

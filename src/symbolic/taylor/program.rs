@@ -19,6 +19,7 @@ pub fn taylor(program: &Program, panel: &Taylor, order: usize) -> Vec<Taylor> {
         let result = match instruction.operation {
             Operation::Add(a, b) => of(a).plus(of(b)),
             Operation::Subtract(a, b) => of(a).minus(of(b)),
+            Operation::Multiply(a, b) if a == b => of(a).squared(order),
             Operation::Multiply(a, b) => of(a).times(of(b), order),
             Operation::Divide(a, b) => of(a).divided_by(of(b), order),
             Operation::Negate(a) => of(a).negated(),

@@ -95,7 +95,9 @@ impl Range {
     /// An increasing function whose values err by [`LIBRARY_ERROR`].
     #[must_use]
     pub(super) fn increasing(self, function: impl Fn(f64) -> f64) -> Range {
-        let (low, high) = (function(self.low), function(self.high));
+        // What is beyond the range of binary64 is beyond its largest number.
+        let low = function(self.low).min(f64::MAX);
+        let high = function(self.high).max(f64::MIN);
         let slack = |x: f64| x.abs() * LIBRARY_ERROR;
         Range::new(
             (low - slack(low)).next_down(),

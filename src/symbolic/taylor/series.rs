@@ -86,6 +86,17 @@ impl Taylor {
     }
 }
 
+impl Taylor {
+    /// f², which is nowhere below 0, though the product of two numbers of f's range may be.
+    pub(super) fn squared(&self, order: usize) -> Taylor {
+        let mut square = self.times(self, order);
+        if let Some(first) = square.0.first_mut() {
+            *first = first.intersection(Range::new(0.0, f64::INFINITY));
+        }
+        square
+    }
+}
+
 /// The sum of products that are rounded to nearest, and of their roundings.
 pub(super) fn sum(terms: impl Iterator<Item = Range>) -> Range {
     let (mut low, mut high, mut magnitude, mut count) = (0.0_f64, 0.0_f64, 0.0_f64, 0.0_f64);

@@ -126,3 +126,23 @@ fn polynomials_end() {
     assert!(second.low <= 3.0 && 3.0 <= second.high, "{second:?}");
     assert!(width < 1e-13, "{second:?}");
 }
+
+/// An interval times itself has products of both signs; a square has none.
+#[test]
+fn a_square_is_nowhere_below_zero() {
+    let (from, to) = (Rational::from(-1), Rational::from(2));
+    let square = series("x^2", &from, &to).coefficient(0);
+    assert!(square.low >= 0.0 && square.high >= 4.0, "{square:?}");
+    let bell = series("exp(-(30*x)^2)", &from, &to).coefficient(0);
+    assert!(bell.low >= 0.0 && bell.high < 1.0 + 1e-10, "{bell:?}");
+}
+
+/// e^900 is no number of binary64, but above all of them.
+#[test]
+fn beyond_the_range_there_is_still_a_bound() {
+    let (from, to) = (Rational::from(9), Rational::from(10));
+    let large = series("exp(100*x)", &from, &to).coefficient(0);
+    assert!(large.low >= f64::MAX / 2.0 && large.high == f64::INFINITY);
+    let sigmoid = series("1/(1 + exp(100*x))", &from, &to).coefficient(0);
+    assert!(sigmoid.magnitude() < 1e-300, "{sigmoid:?}");
+}

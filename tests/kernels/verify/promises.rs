@@ -33,3 +33,42 @@ fn orders_of_many_digits_stay_in_their_column() {
     let run = fixture(&[], &["--declare", r#"{"order":1e300}"#]).with_code(1);
     assert!(run.row("thick").contains(" 1e300 "), "{}", run.out);
 }
+
+/// What cannot all be is no promise: nothing is measured, and nothing written.
+#[test]
+fn promises_that_contradict_each_other_are_refused() {
+    let folder = tempfile::tempdir().unwrap();
+    let out = folder.path().join("out");
+    let saved = folder.path().join("base.json");
+    let options = [
+        "--out",
+        out.to_str().unwrap(),
+        "--save",
+        saved.to_str().unwrap(),
+    ];
+    for (declared, message) in [
+        (
+            r#"{"method":"front-to-back/front/subtraction","order":2}"#,
+            "it declares order 2 and method 'front-to-back/front/subtraction', which has order 1 (allowed: 1, or one of the two)",
+        ),
+        (
+            r#"{"method":"simpson/simpson","order":2}"#,
+            "it declares order 2 and method 'simpson/simpson', which has order 4 (allowed: 4, or one of the two)",
+        ),
+        (
+            r#"{"method":"front-to-back/middle/expm1","sampling":"back"}"#,
+            "it declares sampling 'back' and method 'front-to-back/middle/expm1', which samples 'middle' (allowed: 'middle', or one of the two)",
+        ),
+    ] {
+        let run = fixture(&options, &["--declare", declared]).with_code(2);
+        assert!(run.err.contains(message), "{}", run.err);
+        assert_eq!(run.out, "");
+        assert!(!out.exists() && !saved.exists());
+    }
+    for fits in [
+        r#"{"method":"front-to-back/middle/subtraction","order":2}"#,
+        r#"{"method":"front-to-back/middle/subtraction","sampling":"middle"}"#,
+    ] {
+        fixture(&[], &["--declare", fits]).with_code(0);
+    }
+}
