@@ -5,7 +5,7 @@
 
 use crate::case::manufacture::{self, Contradiction, ManufactureError, Manufactured};
 use crate::case::{Case, Description, SymbolicCase};
-use crate::reference;
+use crate::reference::{self, Reference};
 use crate::symbolic::{Expr, Interval};
 
 /// The significant bits asked of the integral; where it disagrees, it is asked for more before that counts.
@@ -82,14 +82,15 @@ fn at_end(made: &Manufactured, formula: &Expr) -> Option<Interval> {
     best
 }
 
-/// The integral without a closed form, with its error; `None` where it is not resolved.
+/// The integral without a closed form, enclosed; `None` where it is not: an estimate may have missed what the closed
+/// form has.
 fn integral(case: &SymbolicCase, quantity: Quantity, bits: u32) -> Option<Interval> {
     let medium = case.without_closed_form().ok()?;
     let found = match quantity {
         Quantity::Depth => reference::optical_depth(&medium, bits),
         Quantity::Radiance => reference::radiance(&medium, bits),
     };
-    let found = found.ok()?;
+    let found = found.ok().filter(Reference::is_enclosed)?;
     let (value, error) = (
         Interval::exactly(&found.value),
         Interval::exactly(&found.error),
