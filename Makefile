@@ -1,6 +1,6 @@
 # What a stranger runs and what CI runs are the same commands.
 
-.PHONY: reproduce test library thorough proofs mutants lint kernels page bench setup
+.PHONY: reproduce test library thorough attack proofs mutants lint kernels page bench setup
 .DEFAULT_GOAL := reproduce
 
 # The main job: the paper's tables, measured again, and what lies beyond them; the report goes to reproduction/.
@@ -18,6 +18,12 @@ library: setup
 # What takes minutes and finds little: docs/contributing.md lists it with the reasons.
 thorough: setup
 	cargo test --locked -- --ignored
+
+# Random media, identities and scenes whose truth is known by another route: docs/trust.md has the figures.
+attack: setup
+	cargo test --locked --test orders attack -- --include-ignored --nocapture
+	cargo test --locked --test cases truths -- --include-ignored --nocapture
+	cargo test --locked --test studies nor_is_any_of_many -- --ignored --nocapture
 
 # Checked by Coq; installs Debian's packages where they are missing. The cases are those that the program writes now.
 proofs: setup
