@@ -46,6 +46,7 @@ pub mod case;
 pub mod convergence;
 pub mod diagnosis;
 pub mod document;
+pub mod input;
 #[doc(hidden)]
 pub mod inside;
 pub mod kernel;

@@ -1,9 +1,10 @@
 //! `volver reference`: the radiance of a case to any number of digits.
 
 use super::about::about;
+use super::budget::{Budget, MINUTE};
 use super::case::{self, SOURCES};
 use super::output::Output;
-use super::{Color, Failure, Outcome};
+use super::{Color, Failure, Outcome, waiting};
 use clap::Args;
 use rayon::prelude::*;
 use rug::Float;
@@ -16,6 +17,13 @@ use volver::report::reference::{Difference, Found, document, json};
 
 /// The most digits that can be asked for.
 const MAX_DIGITS: u32 = 10_000;
+/// As many take no time, and tell what more will take.
+const FEW_DIGITS: u32 = 100;
+/// Seconds that a function of a number of 1000 bits takes, with what else is done for it.
+const SECONDS_A_CALL: f64 = 2.5e-5;
+/// The numbers that are kept of a point, and the bytes of each beside its digits.
+const NUMBERS_A_POINT: f64 = 12.0;
+const HEADER_BYTES: f64 = 32.0;
 
 /// Print the radiance of a case to any number of digits
 #[derive(Args)]
@@ -30,6 +38,9 @@ pub(crate) struct ReferenceValue {
     /// Integrate numerically even where there is a closed form, and compare
     #[arg(long)]
     spectral: bool,
+    /// Run even if it takes more than 2 GiB of memory or 1 min
+    #[arg(long)]
+    yes: bool,
     /// Print one JSON document
     #[arg(long)]
     json: bool,
@@ -44,6 +55,9 @@ integral is found from C and tau alone: Chebyshev series on panels between the
 breaks of the case. 'believed' are the digits that the value has by an estimate of
 its error; the transcendental functions counted are those of the medium and of the
 transmittance, a sine and cosine of the same number as one.
+
+Work: what would take more than 2 GiB of memory or 1 min is refused with an estimate
+of both, from fewer digits, unless you say --yes.
 
 With --spectral the exit code is 1 where the difference to the closed form is more
 than the estimated error.
@@ -69,11 +83,14 @@ fn digits(text: &str) -> Result<u32, String> {
 impl ReferenceValue {
     pub(crate) fn run(self) -> Result<Outcome, Failure> {
         let loaded = case::load(&self.case)?;
-        let found: Result<Vec<Found<'_>>, ReferenceError> = loaded
-            .cases
-            .par_iter()
-            .map(|case| self.find(case))
-            .collect();
+        self.budget(&loaded.cases).check(self.yes)?;
+        let found: Result<Vec<Found<'_>>, ReferenceError> = waiting("integrating", || {
+            loaded
+                .cases
+                .par_iter()
+                .map(|case| self.find(case))
+                .collect()
+        });
         let found = found.map_err(|error| Failure::Content {
             path: self.case.clone(),
             error: error.into(),
@@ -96,9 +113,44 @@ impl ReferenceValue {
         )
     }
 
+    /// What all channels take, by what fewer digits take.
+    fn budget(&self, cases: &[Manufactured]) -> Budget<'_> {
+        let mut budget = Budget {
+            what: "the radiance",
+            bytes: 0.0,
+            seconds: 0.0,
+            usual: MINUTE,
+        };
+        if self.digits <= FEW_DIGITS {
+            return budget;
+        }
+        let more = f64::from(self.digits) / f64::from(FEW_DIGITS);
+        let bits = f64::from(self.digits) * LOG2_10;
+        for case in cases {
+            let few = if self.spectral {
+                spectral_radiance(&case.case, bits_of(FEW_DIGITS))
+            } else {
+                radiance(&case.case, bits_of(FEW_DIGITS))
+            };
+            // What fails will fail; a closed form takes no time.
+            if let Ok(Reference {
+                source: Source::Spectral,
+                work,
+                ..
+            }) = few
+            {
+                // Points grow with the digits, and what each costs faster than they do.
+                let of_a_call = SECONDS_A_CALL * (bits / 1e3).powf(1.8);
+                budget.seconds += work.transcendental_calls as f64 * more * of_a_call;
+                let number = bits / 8.0 + HEADER_BYTES;
+                budget.bytes += work.points as f64 * more * NUMBERS_A_POINT * number;
+            }
+        }
+        budget
+    }
+
     fn find<'c>(&self, case: &'c Manufactured) -> Result<Found<'c>, ReferenceError> {
-        #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss)] // At most 33,220.
-        let bits = (f64::from(self.digits) * LOG2_10).ceil() as u32 + 1;
+        let bits = bits_of(self.digits);
         if !self.spectral {
             return Ok(Found {
                 case,
@@ -114,6 +166,12 @@ impl ReferenceValue {
             difference,
         })
     }
+}
+
+fn bits_of(digits: u32) -> u32 {
+    #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss)] // At most 33,220.
+    let bits = (f64::from(digits) * LOG2_10).ceil() as u32;
+    bits + 1
 }
 
 fn difference(
