@@ -3,8 +3,7 @@
 mod nearest;
 
 use super::Failure;
-use std::fs::File;
-use std::io::{self, Read};
+use super::input::read;
 use std::path::Path;
 use volver::case::catalogue;
 use volver::case::file::MAX_FILE;
@@ -18,6 +17,11 @@ pub(crate) const SOURCES: &str = "\
 CASE is a name that 'volver cases' lists (sine-squared), one channel of such a
 case (rgb-transfer/red), or a file: any path with a / in it or .toml at its end,
 and - for standard input. docs/cases.md describes files.";
+
+/// What deriving a case takes at most, for help texts.
+pub(crate) const DERIVING: &str = "\
+Work: a file of at most 1 MiB; a statement that would take more than 60000 steps of
+its proof stays undecided.";
 
 /// Where a case comes from.
 enum Source<'a> {
@@ -38,9 +42,8 @@ pub(crate) fn load(argument: &str) -> Result<Derived, Failure> {
                 channel,
             )?
         }
-        Source::File(path) => {
-            Description::read(&read(path)?).map_err(|error| in_file(path, error))?
-        }
+        Source::File(path) => Description::read(&read(path, MAX_FILE as u64)?)
+            .map_err(|error| in_file(path, error))?,
     };
     derive(argument, description)
 }
@@ -125,29 +128,6 @@ fn chosen(mut description: Description, channel: Option<&str>) -> Result<Descrip
         channel.escape_debug(),
         allowed.join(", ")
     )))
-}
-
-/// The text of a case file, or of standard input; no more of it than is ever used.
-fn read(path: &str) -> Result<String, Failure> {
-    let most = MAX_FILE as u64 + 1;
-    let mut bytes = Vec::new();
-    let done = if path == "-" {
-        io::stdin().lock().take(most).read_to_end(&mut bytes)
-    } else {
-        File::open(path).and_then(|file| file.take(most).read_to_end(&mut bytes))
-    };
-    let text = done.and_then(|_| {
-        if bytes.len() > MAX_FILE {
-            // Too long, which is said whatever stands in it.
-            return Ok(String::from_utf8_lossy(&bytes).into_owned());
-        }
-        String::from_utf8(bytes)
-            .map_err(|_| io::Error::new(io::ErrorKind::InvalidData, "not UTF-8"))
-    });
-    text.map_err(|error| Failure::Input {
-        path: path.into(),
-        error,
-    })
 }
 
 fn in_file(path: &str, error: FileError) -> Failure {

@@ -1,9 +1,9 @@
 //! `volver cases`: what there is to verify against, and each case in full.
 
 use super::about::about;
-use super::case::{self, SOURCES};
+use super::case::{self, DERIVING, SOURCES};
 use super::output::Output;
-use super::{Color, Failure, Outcome};
+use super::{Color, Failure, Outcome, waiting};
 use clap::Args;
 use rayon::prelude::*;
 use std::collections::BTreeSet;
@@ -50,6 +50,8 @@ The list has a line a channel: D, the total optical depth t(D) and the exact
 radiance I(D) to six digits, and whether the closed form is proved. What is not
 proved stands below its line.
 
+{DERIVING}
+
 {JSON}
 
 Examples:
@@ -72,10 +74,10 @@ impl Cases {
     pub(crate) fn run(self) -> Result<Outcome, Failure> {
         let output = output(self.json.as_deref(), self.plot.as_deref());
         output.check()?;
-        let derived = match &self.name {
-            Some(name) => vec![case::load(name)?],
-            None => self.listed()?,
-        };
+        let derived = waiting("deriving", || match &self.name {
+            Some(name) => Ok(vec![case::load(name)?]),
+            None => self.listed(),
+        })?;
         let document = match (&self.name, &derived[..]) {
             (Some(_), [case]) => document(case, true, &about()),
             _ => list(&derived, &self.tags, &about()),

@@ -6,6 +6,7 @@ use super::verify::{Rows, outcome};
 use super::{Color, Failure, Outcome, write_out};
 use clap::Args;
 use std::fmt::Write;
+use volver::input::COMPUTED;
 use volver::study::verify::{Baseline, BaselineError, Conclusion};
 
 const EXAMPLES: &str = "\
@@ -13,6 +14,9 @@ BASELINE is what 'volver verify --save' wrote: its cases and levels are run agai
 channel has moved where it stands otherwise (confirmed, contradicted, inconclusive …)
 or where the intervals of its orders have nothing in common. The exit code is 1 where
 something has moved, but for what is only better, and 2 where the kernel could not run.
+
+Work: what 'volver verify' took to write BASELINE, of at most 64 MiB; a program has
+--timeout for each answer. A bar on the terminal says how much is left.
 
 Examples:
   volver verify --save base.json --cases paper method:tree/middle/expm1
@@ -42,12 +46,12 @@ impl Check {
             path: self.baseline.clone(),
             error: error.into(),
         };
-        let baseline = Baseline::read(&read(&self.baseline)?).map_err(wrong)?;
+        let baseline = Baseline::read(&read(&self.baseline, COMPUTED)?).map_err(wrong)?;
         let settings = baseline.settings().map_err(wrong)?;
         let at_once = self.kernel.at_once()?;
         let subjects = subjects(&baseline.cases, &self.baseline)?;
         let mut kernel = at_once.map_or_else(|| self.kernel.program(), Ok)?;
-        let mut rows = Rows::new(!self.quiet, self.color);
+        let mut rows = Rows::new(!self.quiet, true, self.color);
         let verification = rows.run(kernel.as_mut(), &subjects, &settings, &self.kernel)?;
         drop(kernel);
         rows.close(&verification);

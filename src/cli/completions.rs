@@ -6,6 +6,7 @@ use clap_complete::Shell;
 
 /// Print a completion script for a shell
 #[derive(Args)]
+#[command(after_help = "Work: none that grows with anything.")]
 pub(crate) struct Completions {
     /// The shell
     shell: Shell,

@@ -5,6 +5,8 @@ use clap::error::ErrorKind;
 use std::io;
 use volver::case::FileError;
 use volver::case::manufacture::ManufactureError;
+use volver::input::InputError;
+use volver::report::ReportError;
 
 /// Why there is no outcome.
 #[derive(Debug, thiserror::Error)]
@@ -15,23 +17,13 @@ pub(crate) enum Failure {
     /// The command line is wrong.
     #[error("{0}")]
     Usage(String),
-    /// A file cannot be read.
-    #[error("{path}: {error} (allowed: a readable text file, or - for standard input)")]
+    /// A file cannot be read, or is too long.
+    #[error("{path}: {error}")]
     Input {
         /// The path as given.
         path: String,
-        /// What the system said.
-        error: io::Error,
-    },
-    /// The file of a study cannot be read.
-    #[error(
-        "{path}: {error} (allowed: a readable text file, as 'volver schema study' describes it)"
-    )]
-    StudyFile {
-        /// The path as given.
-        path: String,
-        /// What the system said.
-        error: io::Error,
+        /// Why.
+        error: InputError,
     },
     /// What is in a file is wrong.
     #[error("{path}: {error}")]
@@ -67,13 +59,24 @@ pub(crate) enum Failure {
     },
     /// A report cannot be made or written.
     #[error("{0} (allowed: a place that can be written)")]
-    Report(#[from] volver::report::ReportError),
+    Report(#[from] ReportError),
     /// Standard output cannot be written.
     #[error("standard output: {0} (allowed: a reader that reads to the end)")]
     Output(io::Error),
 }
 
 impl Failure {
+    /// Whether a pipe was closed that something was to be written to.
+    pub(crate) fn is_closed_pipe(&self) -> bool {
+        let error = match self {
+            Failure::Output(error) => error,
+            // Standard output by another name.
+            Failure::Report(ReportError::File { reason, .. }) => reason,
+            _ => return false,
+        };
+        error.kind() == io::ErrorKind::BrokenPipe
+    }
+
     /// 1 where a check failed, 2 where usage or input is wrong.
     pub(crate) fn exit_code(&self) -> u8 {
         match self {

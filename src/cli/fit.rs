@@ -3,11 +3,12 @@
 use super::about::about;
 use super::input::read;
 use super::output::Output;
-use super::{Color, Failure, Outcome};
+use super::{Color, Failure, Outcome, waiting};
 use clap::Args;
 use std::path::Path;
 use volver::convergence::table::{self, Levels, Reading};
 use volver::convergence::{Decimal, fit, fit_differences};
+use volver::input::COMPUTED;
 use volver::method::Expected;
 use volver::report::fit::{Fitted, Source, document, json};
 
@@ -21,6 +22,8 @@ Examples:
   printf 'n,v\\n4,1.01\\n8,1.005\\n16,1.0025\\n32,1.00125\\n' | volver fit - --exact 1
   printf '8 1.80000\\n4 1.4\\n2 1.2\\n1 1.1\\n.5 1.05\\n' | volver fit - --richardson
   printf 'h,e\\n4,0\\n2,0\\n1,0\\n.5,0\\n' | volver fit - --expect exact --json
+
+Work: at most 64 MiB and 1048576 rows are read; time and memory grow with the rows.
 
 JSON: verdict, passes, expected, source, order, half_width, log2_constant,
 window, floor, floor_source, cut, pairs, notes, samples. An error below 1e-300
@@ -55,10 +58,12 @@ pub(crate) struct Fit {
 
 impl Fit {
     pub(crate) fn run(self) -> Result<Outcome, Failure> {
-        let text = read(&self.file)?;
-        let fitted = self.fit(&text).map_err(|error| Failure::Content {
-            path: self.file.clone(),
-            error,
+        let fitted = waiting("fitting", || {
+            let text = read(&self.file, COMPUTED)?;
+            self.fit(&text).map_err(|error| Failure::Content {
+                path: self.file.clone(),
+                error,
+            })
         })?;
         let output = Output {
             out: None,
@@ -66,7 +71,11 @@ impl Fit {
             quiet: false,
             color: self.color,
         };
-        output.show(&document(&fitted, &about()), |_| json(&fitted))?;
+        if self.json {
+            output.print(String::new(), |_| json(&fitted))?;
+        } else {
+            output.show(&document(&fitted, &about()), |_| json(&fitted))?;
+        }
         match self.expect {
             Some(_) if !fitted.fit.verdict.passes(self.expect) => Ok(Outcome::CheckFailed),
             _ => Ok(Outcome::Good),

@@ -1,6 +1,6 @@
 //! Kernels by what stands on a command line, and the cases they are tested on.
 
-use super::{Failure, case};
+use super::{Failure, case, waiting};
 use clap::Args;
 use std::collections::BTreeSet;
 use std::path::Path;
@@ -120,7 +120,8 @@ fn built_in(name: &str) -> Result<Box<dyn Kernel>, Failure> {
 /// The cases asked for, by names, tags or paths; all of the catalogue where none is. `place` is where they are asked
 /// for.
 pub(super) fn subjects(asked: &[String], place: &str) -> Result<Vec<Subject>, Failure> {
-    loaded(asked).map_err(|failure| match failure {
+    let loaded = waiting("deriving", || loaded(asked));
+    loaded.map_err(|failure| match failure {
         Failure::Usage(why) => Failure::Usage(format!("{place}: {why}")),
         other => other,
     })

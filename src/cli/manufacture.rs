@@ -1,9 +1,9 @@
 //! `volver manufacture`: a case derived from a file, as text, LaTeX or source code.
 
 use super::about::about;
-use super::case::{self, SOURCES};
+use super::case::{self, DERIVING, SOURCES};
 use super::cases::{JSON, figure_file, form, output};
-use super::{Failure, Outcome};
+use super::{Failure, Outcome, waiting};
 use clap::Args;
 use std::path::{Path, PathBuf};
 use std::slice::from_ref;
@@ -43,6 +43,8 @@ Code has LENGTH and the functions field(lambda), extinction(s), emission(s),
 optical_depth(lambda) and radiance(lambda); of several channels, emission_NAME and
 radiance_NAME.
 
+{DERIVING}
+
 {JSON}
 
 Examples:
@@ -63,7 +65,7 @@ impl Manufacture {
         }
         let output = output(self.json.as_deref(), self.plot.as_deref());
         output.check()?;
-        let derived = case::load(&self.case)?;
+        let derived = waiting("deriving", || case::load(&self.case))?;
         let form = |option: &str| form(option, from_ref(&derived));
         match self.code {
             Some(language) => {

@@ -1,6 +1,7 @@
 //! Arguments, output and exit codes; no numerics.
 
 mod about;
+mod budget;
 mod case;
 mod cases;
 mod check;
@@ -27,7 +28,7 @@ mod tradeoff;
 mod verify;
 
 pub(crate) use failure::Failure;
-pub(crate) use progress::Bar;
+pub(crate) use progress::{Bar, waiting};
 pub(crate) use terminal::{Color, width};
 
 use clap::{Parser, Subcommand};
@@ -35,7 +36,8 @@ use std::io::{self, Write};
 use std::process::ExitCode;
 
 const EXAMPLES: &str = "\
-Exit codes: 0 good, 1 a check failed, 2 wrong usage or input.
+Exit codes: 0 good, 1 a check failed, 2 wrong usage or input, 130 interrupted, 141
+nobody reads what is printed.
 
 Examples:
   volver verify --cases paper method:front-to-back/middle/expm1@f32
@@ -50,6 +52,9 @@ Examples:
   volver plan examples/scenes/smoke.toml --tolerance 1e-4
   volver tradeoff --cases sine-squared --levels 1..64 --cost evaluations
   volver completions bash";
+
+/// The exit code where nobody reads any more: what a shell reports of a program that SIGPIPE, number 13, has ended.
+const CLOSED_PIPE: u8 = 128 + 13;
 
 /// Verifies approximations of the volume rendering integral.
 #[derive(Parser)]
@@ -130,6 +135,8 @@ pub(crate) fn report(outcome: Result<Outcome, Failure>) -> ExitCode {
             Ok(()) => ExitCode::SUCCESS,
             Err(failure) => report(Err(failure)),
         },
+        // Whoever reads has enough, as in '| head': there is nothing to tell.
+        Err(failure) if failure.is_closed_pipe() => ExitCode::from(CLOSED_PIPE),
         Err(failure) => {
             // Nobody is left to tell where standard error is closed.
             let mut err = io::stderr().lock();
@@ -142,7 +149,7 @@ pub(crate) fn report(outcome: Result<Outcome, Failure>) -> ExitCode {
     }
 }
 
-/// Writes to standard output. A closed pipe is a failure like any other: what was to be said was not.
+/// Writes to standard output.
 pub(crate) fn write_out(text: &str) -> Result<(), Failure> {
     let mut out = io::stdout().lock();
     out.write_all(text.as_bytes())

@@ -27,7 +27,7 @@ impl Output<'_> {
             )));
         }
         if let Some(directory) = self.out {
-            render::prepare_directory(directory)?;
+            render::check_directory(directory)?;
         }
         let files = self.files.iter().filter_map(|(_, file)| *file);
         for file in files.filter(|file| !is_dash(Some(file))) {
@@ -62,6 +62,7 @@ impl Output<'_> {
             printed = render::terminal(document, width(), self.color.is_on());
         }
         if let Some(directory) = self.out {
+            render::make_directory(directory)?;
             let files = write(directory)?;
             if self.prints_text() {
                 // Writing to a String does not fail.

@@ -3,7 +3,7 @@
 use super::about::about;
 use super::output::Output;
 use super::scene::load;
-use super::{Color, Failure, Outcome};
+use super::{Color, Failure, Outcome, waiting};
 use clap::{Args, ValueEnum};
 use std::path::PathBuf;
 use std::str::FromStr;
@@ -19,6 +19,9 @@ For every stretch of the ray the least model is chosen whose error, bounded, lea
 the radiance of every channel within the tolerance: nothing, emission or absorption
 alone, a closed form, or so many points; and the shortest format that rounds little
 enough. Then the plan is run and compared with the radiance to many digits.
+
+Work: at most 16384 panels of the ray, 4096 bits, and 3e10 products of numbers in
+each precision that is tried; the file has at most 1 MiB, data that it names 16 MiB.
 
 The exit code is 1 where the radiance is not within the tolerance.
 
@@ -86,6 +89,17 @@ impl PlanScene {
         let formats = self.formats()?;
         let output = self.output();
         output.check()?;
+        let (plan, outcome) = waiting("planning", || self.plan(formats))?;
+        output.hand_out(
+            &document(&plan, self.explain, &about()),
+            |directory| write(directory, &plan, &about()),
+            |_| json(&plan),
+        )?;
+        Ok(outcome)
+    }
+
+    /// The plan, and whether it is as good as it says.
+    fn plan(&self, formats: Vec<FormatName>) -> Result<(Plan, Outcome), Failure> {
         let scene = load(&self.scene)?;
         let settings = Settings {
             tolerance: self.tolerance,
@@ -108,12 +122,7 @@ impl PlanScene {
                 outcome = Outcome::CheckFailed;
             }
         }
-        output.hand_out(
-            &document(&plan, self.explain, &about()),
-            |directory| write(directory, &plan, &about()),
-            |_| json(&plan),
-        )?;
-        Ok(outcome)
+        Ok((plan, outcome))
     }
 
     fn formats(&self) -> Result<Vec<FormatName>, Failure> {

@@ -1,7 +1,15 @@
 //! How far a run has come.
 
-use indicatif::{ProgressBar, ProgressStyle};
+use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
+use std::sync::mpsc::{RecvTimeoutError, channel};
+use std::thread;
+use std::time::Duration;
 use volver::study::Progress;
+
+/// What is done by then needs no line that says so.
+const PATIENCE: Duration = Duration::from_secs(1);
+/// How often such a line moves.
+const TICK: Duration = Duration::from_millis(200);
 
 /// A bar on the terminal, none where standard error is something else.
 pub(crate) struct Bar(ProgressBar);
@@ -36,4 +44,30 @@ impl Progress for Bar {
     fn advance(&self, units: u64) {
         self.0.inc(units);
     }
+}
+
+/// Does what nobody knows the length of; where it takes longer than a second, a line on the terminal says what is
+/// being done, and for how long already.
+pub(crate) fn waiting<T>(what: &'static str, work: impl FnOnce() -> T) -> T {
+    let (end, ended) = channel::<()>();
+    let line = thread::spawn(move || {
+        if ended.recv_timeout(PATIENCE) != Err(RecvTimeoutError::Timeout) {
+            return;
+        }
+        let bar = ProgressBar::with_draw_target(None, ProgressDrawTarget::stderr());
+        if let Ok(style) = ProgressStyle::with_template("{spinner} {msg}, {elapsed}") {
+            bar.set_style(style);
+        }
+        // The clock of the line is behind by what was waited for already.
+        let bar = bar.with_elapsed(PATIENCE).with_message(what);
+        bar.enable_steady_tick(TICK);
+        // Nothing is ever sent: the channel closes.
+        let _ = ended.recv();
+        bar.finish_and_clear();
+    });
+    let done = work();
+    drop(end);
+    // A line that panicked has nothing more to say.
+    let _ = line.join();
+    done
 }

@@ -1,17 +1,18 @@
 //! `volver prove`: cases as theorems, checked by Coq where it is installed.
 
 use super::about::about;
-use super::case::{self, SOURCES};
+use super::case::{self, DERIVING, SOURCES};
 use super::output::Output;
-use super::{Bar, Color, Failure, Outcome, width, write_out};
+use super::{Bar, Color, Failure, Outcome, waiting, width, write_out};
 use clap::Args;
 use rayon::prelude::*;
 use std::ffi::OsString;
 use std::fs;
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 use std::sync::Mutex;
 use std::time::Duration;
 use volver::case::catalogue;
+use volver::input::{self, InputError};
 use volver::proof::{Coq, MARK, Script, Verdict, script};
 use volver::render;
 use volver::report::cases::Derived;
@@ -72,6 +73,9 @@ Coquelicot (Debian: apt-get install coq libcoq-coquelicot), and seconds a case.
 The exit code is 1 where a theorem failed, or was not checked although --no-check did
 not ask for that. A file that volver did not write is not overwritten.
 
+{DERIVING} Coq has --timeout for each file; a bar on the
+terminal says how much is left.
+
 {JSON}
 
 Examples:
@@ -84,7 +88,7 @@ impl Prove {
     pub(crate) fn run(self) -> Result<Outcome, Failure> {
         let output = self.output();
         output.check()?;
-        let loaded = self.loaded()?;
+        let loaded = waiting("deriving", || self.loaded())?;
         let mut proofs = Vec::new();
         let mut scripts = Vec::new();
         for Derived { description, cases } in &loaded {
@@ -144,7 +148,7 @@ impl Prove {
             path: file.display().to_string(),
             error: anyhow::anyhow!("{error} (allowed: a place that can be written)"),
         };
-        if file.exists() && !fs::read_to_string(&file).map_err(cannot)?.contains(MARK) {
+        if file.exists() && !is_ours(&file)? {
             return Err(Failure::Usage(format!(
                 "{}: not written by volver, and so not overwritten (allowed: another --write)",
                 file.display()
@@ -219,6 +223,18 @@ impl Prove {
         } else {
             Outcome::CheckFailed
         })
+    }
+}
+
+/// Whether volver wrote a file for Coq. None of its own is as long as what people write may be.
+fn is_ours(file: &Path) -> Result<bool, Failure> {
+    match input::text(file, input::WRITTEN) {
+        Ok(text) => Ok(text.contains(MARK)),
+        Err(InputError::TooLong { .. } | InputError::NotText { .. }) => Ok(false),
+        Err(error) => Err(Failure::Input {
+            path: file.display().to_string(),
+            error,
+        }),
     }
 }
 

@@ -1,14 +1,16 @@
 //! `volver reference`: the radiance of a case to any number of digits.
 
 use super::about::about;
+use super::budget::{Budget, MINUTE};
 use super::case::{self, SOURCES};
 use super::output::Output;
-use super::{Color, Failure, Outcome};
+use super::{Color, Failure, Outcome, waiting};
 use clap::Args;
 use rayon::prelude::*;
 use rug::Float;
 use std::f64::consts::LOG2_10;
 use std::path::Path;
+use std::time::Instant;
 use volver::case::SymbolicCase;
 use volver::case::manufacture::Manufactured;
 use volver::reference::{
@@ -18,6 +20,11 @@ use volver::report::reference::{Difference, Found, document, json};
 
 /// The most digits that can be asked for.
 const MAX_DIGITS: u32 = 10_000;
+/// As many take no time, and tell what more will take.
+const FEW_DIGITS: u32 = 100;
+/// The numbers that are kept of a point, and the bytes of each beside its digits.
+const NUMBERS_A_POINT: f64 = 12.0;
+const HEADER_BYTES: f64 = 32.0;
 
 /// Print the radiance of a case to any number of digits
 #[derive(Args)]
@@ -35,6 +42,9 @@ pub(crate) struct ReferenceValue {
     /// Estimate the integral by Chebyshev series, without a proof, and compare
     #[arg(long, alias = "spectral")]
     estimate: bool,
+    /// Run even if it takes more than 2 GiB of memory or 1 min
+    #[arg(long)]
+    yes: bool,
     /// Print one JSON document
     #[arg(long)]
     json: bool,
@@ -51,6 +61,9 @@ proved, and with it every digit. Where there is no bound the value is an estimat
 by Chebyshev series, and 'source' says why: what is narrower than the distance of
 its points can be missed. The transcendental functions counted are those of the
 medium and of the transmittance, a sine and cosine of the same number as one.
+
+Work: what would take more than 2 GiB of memory or 1 min is refused with an estimate
+of both, from fewer digits, unless you say --yes.
 
 With --integrate and --estimate the exit code is 1 where the difference to the
 closed form is more than both errors.
@@ -78,11 +91,14 @@ fn digits(text: &str) -> Result<u32, String> {
 impl ReferenceValue {
     pub(crate) fn run(self) -> Result<Outcome, Failure> {
         let loaded = case::load(&self.case)?;
-        let found: Result<Vec<Found<'_>>, ReferenceError> = loaded
-            .cases
-            .par_iter()
-            .map(|case| self.find(case))
-            .collect();
+        self.budget(&loaded.cases).check(self.yes)?;
+        let found: Result<Vec<Found<'_>>, ReferenceError> = waiting("integrating", || {
+            loaded
+                .cases
+                .par_iter()
+                .map(|case| self.find(case))
+                .collect()
+        });
         let found = found.map_err(|error| Failure::Content {
             path: self.case.clone(),
             error: error.into(),
@@ -105,20 +121,54 @@ impl ReferenceValue {
         )
     }
 
-    fn find<'c>(&self, case: &'c Manufactured) -> Result<Found<'c>, ReferenceError> {
-        #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss)] // At most 33,220.
-        let bits = (f64::from(self.digits) * LOG2_10).ceil() as u32 + 1;
-        let reference = if self.integrate {
-            enclosed_radiance(&case.case, bits)?
+    /// What all channels take, by what fewer digits take.
+    fn budget(&self, cases: &[Manufactured]) -> Budget<'_> {
+        let mut budget = Budget {
+            what: "the radiance",
+            bytes: 0.0,
+            seconds: 0.0,
+            usual: MINUTE,
+        };
+        if self.digits <= FEW_DIGITS {
+            return budget;
+        }
+        let more = f64::from(self.digits) / f64::from(FEW_DIGITS);
+        let number = f64::from(self.digits) * LOG2_10 / 8.0 + HEADER_BYTES;
+        for case in cases {
+            let start = Instant::now();
+            // What fails will fail; a closed form takes no time.
+            if let Ok(few) = self.value(case, bits_of(FEW_DIGITS))
+                && few.source != Source::ClosedForm
+            {
+                // Points grow with the digits, and what each costs faster than they do.
+                budget.seconds += start.elapsed().as_secs_f64() * more.powf(2.8);
+                budget.bytes += few.work.points as f64 * more * NUMBERS_A_POINT * number;
+            }
+        }
+        budget
+    }
+
+    /// The radiance in the way that was asked for.
+    fn value(&self, case: &Manufactured, bits: u32) -> Result<Reference, ReferenceError> {
+        if self.integrate {
+            enclosed_radiance(&case.case, bits)
         } else if self.estimate {
-            estimated_radiance(&case.case, bits)?
+            estimated_radiance(&case.case, bits)
         } else {
+            radiance(&case.case, bits)
+        }
+    }
+
+    fn find<'c>(&self, case: &'c Manufactured) -> Result<Found<'c>, ReferenceError> {
+        let bits = bits_of(self.digits);
+        let reference = self.value(case, bits)?;
+        if !self.integrate && !self.estimate {
             return Ok(Found {
                 case,
-                reference: radiance(&case.case, bits)?,
+                reference,
                 difference: None,
             });
-        };
+        }
         let difference = difference(&case.case, &reference, bits)?;
         Ok(Found {
             case,
@@ -126,6 +176,12 @@ impl ReferenceValue {
             difference,
         })
     }
+}
+
+fn bits_of(digits: u32) -> u32 {
+    #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss)] // At most 33,220.
+    let bits = (f64::from(digits) * LOG2_10).ceil() as u32;
+    bits + 1
 }
 
 fn difference(

@@ -3,9 +3,10 @@
 use super::about::about;
 use super::input::read;
 use super::scene::load;
-use super::{Failure, Outcome, width, write_out};
+use super::{Failure, Outcome, waiting, width, write_out};
 use clap::Args;
 use std::str::FromStr;
+use volver::input::COMPUTED;
 use volver::real::{Format, FormatName, WithFormat};
 use volver::render::terminal;
 use volver::report::plan::Rendering;
@@ -14,6 +15,8 @@ use volver::study::plan::{Plan, PlanError, StoredPlan};
 const EXAMPLES: &str = "\
 PLAN is what 'volver plan --json FILE' wrote for the same scene. Nothing is planned
 anew: as many evaluations are made as it says, in its format or in another.
+
+Work: the evaluations of the plan, whose file has at most 64 MiB.
 
 Examples:
   volver render examples/scenes/smoke.toml --plan examples/scenes/plan.json
@@ -44,8 +47,19 @@ impl Render {
                 "SCENE and --plan both come from standard input (allowed: one of them)".into(),
             ));
         }
+        let rendering = waiting("rendering", || self.rendering())?;
+        let text = if self.json {
+            rendering.json()?
+        } else {
+            terminal(&rendering.document(&about()), width(), false)
+        };
+        write_out(&text)?;
+        Ok(Outcome::Good)
+    }
+
+    fn rendering(&self) -> Result<Rendering, Failure> {
         let scene = load(&self.scene)?;
-        let text = read(&self.plan)?;
+        let text = read(&self.plan, COMPUTED)?;
         let wrong = |error: anyhow::Error| Failure::Content {
             path: self.plan.clone(),
             error,
@@ -57,16 +71,9 @@ impl Render {
         })?;
         let plan = Plan::from_stored(&scene, stored).map_err(|error| wrong(error.into()))?;
         let format = self.format.unwrap_or_else(|| plan.format());
-        let rendering = format
+        format
             .with(Running { plan: &plan })
-            .map_err(|error| wrong(error.into()))?;
-        let text = if self.json {
-            rendering.json()?
-        } else {
-            terminal(&rendering.document(&about()), width(), false)
-        };
-        write_out(&text)?;
-        Ok(Outcome::Good)
+            .map_err(|error| wrong(error.into()))
     }
 }
 

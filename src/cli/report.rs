@@ -1,7 +1,7 @@
 //! `volver report`: several reports on one page.
 
 use super::about::about;
-use super::{Failure, Outcome, write_out};
+use super::{Failure, Outcome, waiting, write_out};
 use clap::Args;
 use std::path::{Path, PathBuf};
 use volver::render::{self, html};
@@ -15,6 +15,8 @@ What differs comes first: facts side by side, then every cell of a table that sh
 something else than in the first DIR, and by how much. All tables and plots follow.
 Tables are compared where reports of one kind have them under the same heading.
 Where PLACE is a directory, or has no extension, the page is PLACE/report.html.
+
+Work: to read the pages, of at most 64 MiB each, and to compare their cells.
 
 Examples:
   volver report before after
@@ -38,16 +40,19 @@ pub(crate) struct Report {
 
 impl Report {
     pub(crate) fn run(self) -> Result<Outcome, Failure> {
-        let parts =
-            read_all(&self.directories).map_err(|error| Failure::Usage(error.to_string()))?;
+        let parts = waiting("reading", || read_all(&self.directories))
+            .map_err(|error| Failure::Usage(error.to_string()))?;
         let file = place(self.out.as_deref());
         match file.parent() {
-            Some(parent) if !parent.as_os_str().is_empty() => render::prepare_directory(parent)?,
+            Some(parent) if !parent.as_os_str().is_empty() => render::make_directory(parent)?,
             _ => {}
         }
         render::check_file(&file)?;
-        let comparison = compare(&parts, about());
-        render::write_file(&file, &html::render(&comparison.page)?)?;
+        let comparison = waiting("comparing", || -> Result<_, Failure> {
+            let comparison = compare(&parts, about());
+            render::write_file(&file, &html::render(&comparison.page)?)?;
+            Ok(comparison)
+        })?;
         if !self.quiet {
             write_out(&summary(&comparison, parts.len(), &file))?;
         }

@@ -3,6 +3,7 @@
 mod nonsmooth;
 
 use super::about::about;
+use super::budget::{Budget, HOUR, WORK};
 use super::output::Output;
 use super::{Bar, Color, Failure, Outcome};
 use clap::Args;
@@ -13,7 +14,7 @@ use volver::convergence::Ladder;
 use volver::real::FormatName;
 use volver::report::reproduce::{document, json, write};
 use volver::study::reproduce::{
-    Entry, LADDER, ORACLE_BITS, RuleName, Settings, TableNumber, reproduce, work,
+    Entry, LADDER, ORACLE_BITS, RuleName, Settings, TableNumber, bytes, reproduce, seconds, work,
 };
 
 /// All methods of a table keep their nodes: about a kilobyte a segment.
@@ -29,20 +30,20 @@ code is 1 where a measurement contradicts theory.
 
 RULE is riemann, trapezoid, simpson, boole (outer), gauss-3, monte-carlo,
 monte-carlo-independent or monte-carlo-stratified (inner).
-LADDER is a number of levels from n = 8 on (10), a range by doubling (8..4096)
-or by another ratio (9..5000x3), or a list (12,24,48,96). Table 1 has Boole's
-rule, which needs multiples of 4.
+LADDER is a number of segments n (16), a range by doubling (8..4096) or by another
+ratio (9..5000x3), or a list (12,24,48,96). Table 1 has Boole's rule, which needs
+multiples of 4.
 
 Examples:
-  volver reproduce --table 2 --levels 8
+  volver reproduce --table 2 --levels 8..1024
   volver reproduce --table 1 --format f32 --format mpfr:256 --levels 8..512
   volver reproduce --inner simpson --outer boole --levels 8..16384
-  volver reproduce --table 1 --levels 6 --json -
+  volver reproduce --table 1 --levels 8..256 --json -
   volver reproduce --nonsmooth";
 
 /// Measure the paper's Tables 1 and 2 again
 #[derive(Args)]
-#[command(after_help = EXAMPLES)]
+#[command(after_help = format!("{WORK}\n\n{EXAMPLES}"))]
 pub(crate) struct Reproduce {
     /// Only this table: 1 or 2
     #[arg(long = "table", value_name = "TABLE", value_parser = TableNumber::from_str)]
@@ -58,7 +59,7 @@ pub(crate) struct Reproduce {
     /// mpfr:BITS [default: mpfr:128]
     #[arg(long = "format", value_name = "FORMAT", value_parser = FormatName::from_str)]
     formats: Vec<FormatName>,
-    /// Levels that orders are measured on [default: 8..4096]
+    /// Numbers of segments that orders are measured on [default: 8..4096]
     #[arg(long, value_name = "LADDER", value_parser = Ladder::from_str)]
     levels: Option<Ladder>,
     /// Instead of the tables: what jumps and kinks cost, rule by rule, beside theory
@@ -67,6 +68,9 @@ pub(crate) struct Reproduce {
     /// Seed of the first Monte Carlo replica
     #[arg(long, value_name = "SEED", default_value_t = 1)]
     seed: u64,
+    /// Run even if it takes more than 2 GiB of memory or 1 h
+    #[arg(long)]
+    yes: bool,
     /// Write all of it as one JSON document; - is standard output, without tables
     #[arg(long, value_name = "FILE")]
     json: Option<PathBuf>,
@@ -91,6 +95,13 @@ impl Reproduce {
         settings
             .check()
             .map_err(|error| Failure::Usage(format!("--levels: {error}")))?;
+        let budget = Budget {
+            what: "the reproduction",
+            bytes: bytes(&settings),
+            seconds: seconds(&settings),
+            usual: HOUR,
+        };
+        budget.check(self.yes)?;
         self.output().check()?;
         let bar = Bar::new(work(&settings));
         let entries = reproduce(&settings, &bar);

@@ -10,6 +10,8 @@ use volver::study::sweep::StudyFile;
 const EXAMPLES: &str = "\
 A JSON Schema of draft 2020-12; editors that know TOML take it as well.
 
+Work: none that grows with anything.
+
 Examples:
   volver schema
   volver schema study

@@ -30,6 +30,9 @@ simpson/simpson, any compositing without stop (front-to-back/middle/expm1/depths
 preintegrated/linear/linear or the same by N trapezoids. FORMAT is any but mpfr.
 LADDER is as for 'volver reproduce'.
 
+Work: cells of more than 16777216 segments are left out, of slow formats and of
+pre-integration those of more than 65536. A bar says how much is left.
+
 Examples:
   volver stress --scenarios depth,fault --formats f16,f32,fixed:15
   volver stress --scenarios spike --methods tree/middle/expm1 --json -

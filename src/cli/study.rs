@@ -4,12 +4,12 @@ pub(super) mod asked;
 pub(super) mod cases;
 pub(super) mod formats;
 pub(super) mod levels;
-mod memory;
 pub(super) mod methods;
 
 use super::about::about;
+use super::budget::{Budget, HOUR, WORK};
 use super::output::{Output, csv, said};
-use super::{Bar, Color, Failure, Outcome};
+use super::{Bar, Color, Failure, Outcome, waiting};
 use asked::Asking;
 use clap::Args;
 use formats::Formats;
@@ -18,6 +18,7 @@ use std::path::{Path, PathBuf};
 use std::thread;
 use volver::case::Case;
 use volver::real::FormatName;
+use volver::render;
 use volver::report::study;
 use volver::study::Progress;
 use volver::study::sweep::{Estimate, Header, Journal, Line, Results, Sweep, run};
@@ -51,7 +52,7 @@ Examples:
 
 /// Split errors into discretization and roundoff, for cases × methods × formats × levels
 #[derive(Args)]
-#[command(after_help = EXAMPLES)]
+#[command(after_help = format!("{WORK}\n\n{EXAMPLES}"))]
 pub(crate) struct Study {
     /// What to run: a study.toml
     #[arg(value_name = "FILE")]
@@ -66,7 +67,7 @@ pub(crate) struct Study {
     /// Formats, repeatable [default: f32, f64]
     #[arg(long, value_name = "FORMATS")]
     formats: Vec<String>,
-    /// Numbers of segments: 8..4096 by doubling, 9..5000x3 or 12,24,48
+    /// Numbers of segments: 8..4096 by doubling, 9..5000x3, 12,24,48 or 16 alone
     /// [default: 8..4096]
     #[arg(long, value_name = "LADDER")]
     levels: Option<String>,
@@ -82,7 +83,7 @@ pub(crate) struct Study {
     /// Threads to run on [default: all cores]
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u16).range(1..=1024))]
     threads: Option<u16>,
-    /// Run even if it takes more than 2 GiB of memory
+    /// Run even if it takes more than 2 GiB of memory or 1 h
     #[arg(long)]
     yes: bool,
     /// Write one JSON document; - is standard output, without the table
@@ -114,13 +115,19 @@ impl Study {
         let methods = methods::chosen(&asking, &self.methods)?;
         let levels = levels::chosen(&asking, self.levels.as_deref())?;
         let sweep = Sweep {
-            cases: cases::chosen(&asking, &self.cases)?,
+            cases: waiting("deriving", || cases::chosen(&asking, &self.cases))?,
             methods,
             formats,
             levels,
         };
         let estimate = Estimate::new(&sweep, threads);
-        memory::check(&estimate, threads, self.yes)?;
+        let budget = Budget {
+            what: "the study",
+            bytes: estimate.bytes,
+            seconds: estimate.seconds(threads),
+            usual: HOUR,
+        };
+        budget.check(self.yes)?;
         self.output().check()?;
         let header = Header::new(&sweep);
         let lengths: Vec<f64> = sweep
@@ -158,6 +165,7 @@ impl Study {
         };
         let directory = temporary.as_ref().map(tempfile::TempDir::path);
         let directory = directory.or(self.out.as_deref()).unwrap_or(Path::new("."));
+        render::make_directory(directory)?;
         let path = directory.join(JOURNAL);
         let mut journal = if self.resume {
             Journal::resume(&path, header)

@@ -1,9 +1,10 @@
 //! `volver tradeoff`: error against cost, and the cheapest way to an error.
 
 use super::about::about;
+use super::budget::{Budget, HOUR, WORK};
 use super::output::{Output, csv, said};
 use super::study::{asked::Asking, cases, formats, levels, methods};
-use super::{Bar, Color, Failure, Outcome};
+use super::{Bar, Color, Failure, Outcome, waiting};
 use clap::{Args, ValueEnum};
 use std::path::PathBuf;
 use std::thread;
@@ -11,7 +12,8 @@ use volver::render;
 use volver::report::tradeoff;
 use volver::study::sweep::{Header, Sweep};
 use volver::study::tradeoff::{
-    Cost, Journal, Pin, Results, Settings, default_formats, default_methods, estimate, run,
+    Cost, Journal, Pin, Results, Settings, bytes, default_formats, default_methods, estimate, run,
+    seconds,
 };
 
 /// Where finished units are kept.
@@ -38,7 +40,7 @@ Examples:
 
 /// Find the cheapest method, format and n for an error: error against cost
 #[derive(Args)]
-#[command(after_help = EXAMPLES)]
+#[command(after_help = format!("{WORK}\n\n{EXAMPLES}"))]
 pub(crate) struct Tradeoff {
     /// Cases, repeatable
     #[arg(long, value_name = "CASES", required = true)]
@@ -49,7 +51,7 @@ pub(crate) struct Tradeoff {
     /// Formats, repeatable [default: f32, f64, mpfr:113, mpfr:160]
     #[arg(long, value_name = "FORMATS")]
     formats: Vec<String>,
-    /// Numbers of segments: 1..4096 by doubling, 9..5000x3 or 12,24,48
+    /// Numbers of segments: 1..4096 by doubling, 9..5000x3, 12,24,48 or 16 alone
     /// [default: 1..4096]
     #[arg(long, value_name = "LADDER")]
     levels: Option<String>,
@@ -62,6 +64,9 @@ pub(crate) struct Tradeoff {
     /// Threads to run on, but for measurements: those have one [default: all cores]
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u16).range(1..=1024))]
     threads: Option<u16>,
+    /// Run even if it takes more than 2 GiB of memory or 1 h
+    #[arg(long)]
+    yes: bool,
     /// Write one JSON document; - is standard output, without the table
     #[arg(long, value_name = "FILE")]
     json: Option<PathBuf>,
@@ -115,9 +120,17 @@ impl Tradeoff {
             sweep: self.sweep()?,
             timed: cost.is_timed(),
         };
+        let budget = Budget {
+            what: "the comparison",
+            bytes: bytes(&settings, threads),
+            seconds: seconds(&settings, threads),
+            usual: HOUR,
+        };
+        budget.check(self.yes)?;
         let header = Header::new(&settings.sweep);
         let mut journal = match &self.out {
             Some(directory) => {
+                render::make_directory(directory)?;
                 let path = directory.join(JOURNAL);
                 Some(Journal::begin(&path, &header).map_err(said)?)
             }
@@ -154,7 +167,7 @@ impl Tradeoff {
             methods,
             formats,
             levels: levels::chosen(&asking, Some(levels))?,
-            cases: cases::chosen(&asking, &self.cases)?,
+            cases: waiting("deriving", || cases::chosen(&asking, &self.cases))?,
         })
     }
 

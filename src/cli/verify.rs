@@ -3,13 +3,13 @@
 use super::about::about;
 use super::kernel::{KERNELS, KernelArguments, subjects};
 use super::output::{Output, is_dash};
-use super::{Bar, Color, Failure, Outcome, width, write_out};
+use super::{Bar, CLOSED_PIPE, Color, Failure, Outcome, width, write_out};
 use clap::{Args, ValueEnum};
 use rug::Rational;
 use std::path::PathBuf;
 use std::str::FromStr;
 use volver::convergence::Ladder;
-use volver::kernel::{Kernel, Subject};
+use volver::kernel::{Kernel, Subject, process};
 use volver::render::terminal;
 use volver::report::verify::{document, heading, json, junit, row, write};
 use volver::study::verify::{
@@ -19,6 +19,9 @@ use volver::study::verify::{
 const EXAMPLES: &str = "\
 The exit code is 0 where orders are confirmed, nothing contradicts and the values are
 those of the method that the kernel declares; 1 where not; 2 where it could not run.
+
+Work: cases × levels × seeds, at most 64 levels of 524288 segments; a program has
+--timeout for each answer. A bar on the terminal says how much is left.
 
 CASES are names that 'volver cases' lists, NAME/CHANNEL, tags, or paths of case files.
 LADDER is as for 'volver reproduce'. ORDER is 2, 1.5 or 3/2.
@@ -111,7 +114,8 @@ impl Verify {
         let subjects = subjects(&self.cases, "--cases")?;
         output.check()?;
         let mut kernel = at_once.map_or_else(|| self.kernel.program(), Ok)?;
-        let mut rows = Rows::new(output.prints_text(), self.color);
+        let alone = output.out.is_none() && output.files.iter().all(|(_, file)| file.is_none());
+        let mut rows = Rows::new(output.prints_text(), alone, self.color);
         let verification = rows.run(kernel.as_mut(), &subjects, &settings, &self.kernel)?;
         // The child is gone before the last word.
         drop(kernel);
@@ -157,15 +161,18 @@ fn check_dashes(output: &Output<'_>) -> Result<(), Failure> {
 /// Where rows go as they come.
 pub(super) struct Rows {
     printed: bool,
+    /// Whether there is no other place that anything goes to.
+    alone: bool,
     color: bool,
     /// The first write that failed; nothing is written after it.
     failed: Option<Failure>,
 }
 
 impl Rows {
-    pub(super) fn new(printed: bool, color: Color) -> Self {
+    pub(super) fn new(printed: bool, alone: bool, color: Color) -> Self {
         Rows {
             printed,
+            alone,
             color: color.is_on(),
             failed: None,
         }
@@ -179,6 +186,12 @@ impl Rows {
     fn print(&mut self, text: &str) {
         if self.printed && self.failed.is_none() {
             self.failed = write_out(text).err();
+        }
+        let is_over = self.failed.as_ref().is_some_and(Failure::is_closed_pipe);
+        if is_over && self.alone {
+            // Nobody hears of the rest, which may take hours.
+            process::stop_all();
+            std::process::exit(CLOSED_PIPE.into());
         }
     }
 

@@ -17,6 +17,9 @@ use rug::Float;
 use rug::ops::Pow;
 use serde::Serialize;
 
+/// More rows are no ladder.
+pub const MAX_ROWS: usize = 1 << 20;
+
 /// What to make of a table beyond what its header says.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Reading {
@@ -96,9 +99,13 @@ pub fn read(text: &str, reading: &Reading) -> Result<Table, TableError> {
         lines.next();
         header(line, &names, reading)?
     };
-    let mut rows = lines
-        .map(|(line, text)| row(line, &fields(text, separator), &columns))
-        .collect::<Result<Vec<Row>, TableError>>()?;
+    let mut rows = Vec::new();
+    for (line, text) in lines {
+        if rows.len() == MAX_ROWS {
+            return Err(TableError::TooManyRows { line });
+        }
+        rows.push(row(line, &fields(text, separator), &columns)?);
+    }
     rows.sort_by(|a, b| b.step.total_cmp(&a.step));
     for pair in rows.windows(2) {
         if pair[0].step.total_cmp(&pair[1].step).is_eq() {

@@ -36,7 +36,7 @@ pub use latex::latex;
 #[cfg(feature = "studies")]
 pub use markdown::markdown;
 #[cfg(feature = "studies")]
-pub use preflight::{check_file, prepare_directory};
+pub use preflight::{check_directory, check_file, make_directory};
 pub use terminal::terminal;
 #[cfg(feature = "studies")]
 pub use write::{write_document, write_file};

@@ -5,20 +5,37 @@ use std::fs;
 use std::io;
 use std::path::Path;
 
-/// Makes `dir` where it does not exist and sees whether files can be made in it; leaves none.
+/// Makes `dir` where it does not exist.
 ///
 /// # Errors
 /// [`ReportError::Directory`] with the path and the system's reason.
-pub fn prepare_directory(dir: &Path) -> Result<(), ReportError> {
-    let probe = || -> io::Result<()> {
-        fs::create_dir_all(dir)?;
-        tempfile::tempfile_in(dir)?;
-        Ok(())
-    };
-    probe().map_err(|reason| ReportError::Directory {
+pub fn make_directory(dir: &Path) -> Result<(), ReportError> {
+    fs::create_dir_all(dir).map_err(|reason| ReportError::Directory {
         path: dir.into(),
         reason,
     })
+}
+
+/// Sees whether `dir` can be made where it does not exist, and files in it; leaves all as it is.
+///
+/// # Errors
+/// [`ReportError::Directory`] with the path and the system's reason.
+pub fn check_directory(dir: &Path) -> Result<(), ReportError> {
+    let missing = dir.ancestors().take_while(|dir| !dir.exists());
+    let missing: Vec<&Path> = missing.filter(|dir| !dir.as_os_str().is_empty()).collect();
+    make_directory(dir)?;
+    let probe = tempfile::tempfile_in(dir);
+    for made in missing {
+        // What somebody else has put there meanwhile stays.
+        let _ = fs::remove_dir(made);
+    }
+    match probe {
+        Ok(_) => Ok(()),
+        Err(reason) => Err(ReportError::Directory {
+            path: dir.into(),
+            reason,
+        }),
+    }
 }
 
 /// Sees whether `path` can be written; leaves it as it is.

@@ -52,6 +52,6 @@ pub mod verify;
 
 pub use crate::render::ReportError;
 #[cfg(feature = "studies")]
-pub use crate::render::{check_file, prepare_directory, write_file};
+pub use crate::render::{check_directory, check_file, make_directory, write_file};
 #[cfg(feature = "studies")]
 pub use reproduce::{Group, Row, groups};

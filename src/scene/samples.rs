@@ -1,6 +1,7 @@
 //! Samples of a field in files: CSV of one column, or `.npy` of one dimension.
 
 use super::SceneProblem;
+use crate::input;
 use npyz::{DType, Endianness, NpyFile, TypeChar};
 use rug::Rational;
 use schemars::JsonSchema;
@@ -31,10 +32,10 @@ pub(super) fn read(path: &Path) -> Result<Vec<Rational>, SceneProblem> {
         .extension()
         .is_some_and(|e| e.eq_ignore_ascii_case("npy"));
     let values = if is_npy {
-        let bytes = std::fs::read(path).map_err(|error| file(error.to_string()))?;
+        let bytes = input::file(path, input::DATA).map_err(|error| file(error.to_string()))?;
         npy(&bytes).map_err(file)?
     } else {
-        let text = std::fs::read_to_string(path).map_err(|error| file(error.to_string()))?;
+        let text = input::text(path, input::DATA).map_err(|error| file(error.to_string()))?;
         csv(&text).map_err(file)?
     };
     check(&values).map_err(file)?;

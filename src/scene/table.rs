@@ -3,6 +3,7 @@
 use super::medium::nearest;
 use super::{SceneProblem, Values};
 use crate::case::Transfer;
+use crate::input;
 use crate::symbolic::parse_number;
 use rug::Rational;
 use std::path::Path;
@@ -30,7 +31,7 @@ pub(super) fn read(path: &Path, channels: &[String]) -> Result<TransferTable, Sc
         path: path.display().to_string(),
         problem,
     };
-    let text = std::fs::read_to_string(path).map_err(|error| file(error.to_string()))?;
+    let text = input::text(path, input::DATA).map_err(|error| file(error.to_string()))?;
     parse(&text, channels).map_err(file)
 }
 

@@ -47,7 +47,7 @@ fn what_is_wrong_with_a_file_is_shown_in_place() {
     );
     let long = "#".repeat(2_000_000);
     manufacture(&["-"], &long).code(2).stderr(contains(
-        "bytes are too long a file (allowed: up to 1048576)",
+        "-: more than 1048576 bytes (allowed: at most 1048576 bytes)",
     ));
     let binary = cargo_bin_cmd!("volver")
         .args(["manufacture", "-"])

@@ -5,7 +5,11 @@ use assert_cmd::cargo::cargo_bin_cmd;
 use predicates::prelude::*;
 use predicates::str::contains;
 use serde_json::Value;
+use std::cell::Cell;
 use std::io::Write;
+use volver::convergence::Pair;
+use volver::convergence::table::{MAX_ROWS, Reading, read};
+use volver::report::fit::by_level;
 
 const SECOND_ORDER: &str = "0.4,8e-2\n0.2,2e-2\n0.1,5e-3\n0.05,1.25e-3\n";
 
@@ -278,12 +282,12 @@ fn unreadable_files_are_named_in_one_line() {
     refuses(
         &["fit", "no/such/file.csv"],
         "",
-        "no/such/file.csv: No such file or directory (os error 2) (allowed: a readable text file, or - for standard input)",
+        "no/such/file.csv: No such file or directory (os error 2) (allowed: a readable file of at most 67108864 bytes)",
     );
     let mut binary = cargo_bin_cmd!("volver");
     binary.args(["fit", "-"]).write_stdin(vec![0xff_u8, 0xfe]);
     binary.assert().code(2).stderr(
-        "volver: -: stream did not contain valid UTF-8 (allowed: a readable text file, or - for standard input)\n",
+        "volver: -: byte 1 is not UTF-8 (allowed: a text in UTF-8, of at most 67108864 bytes)\n",
     );
 }
 
@@ -332,4 +336,58 @@ fn output_fits_eighty_columns() {
             assert!(line.chars().count() <= 80, "{line}");
         }
     }
+}
+
+/// Looking at a pair is what is counted: once each, and once beyond the last, however many levels there are.
+#[test]
+fn a_table_of_levels_looks_at_each_pair_once() {
+    let pair = |coarse| Pair {
+        coarse,
+        order: 2.0,
+        above_floor: true,
+        in_window: false,
+        sign_change: false,
+    };
+    let levels = 100_000;
+    // Neighbours of levels without an error have no pair.
+    let pairs: Vec<Pair> = (0..levels - 1).filter(|c| c % 7 > 1).map(pair).collect();
+    let looks = Cell::new(0);
+    let counted = pairs
+        .iter()
+        .copied()
+        .inspect(|_| looks.set(looks.get() + 1));
+    let found: Vec<Option<Pair>> = by_level(levels, counted).collect();
+    assert_eq!(looks.get(), pairs.len());
+    assert_eq!(found.len(), levels);
+    for (level, found) in found.iter().enumerate() {
+        let expected = level.checked_sub(1).filter(|coarse| coarse % 7 > 1);
+        assert_eq!(found.map(|pair| pair.coarse), expected);
+    }
+}
+
+#[test]
+fn a_table_has_as_many_rows_as_any_ladder_has() {
+    let rows = "1,1\n".repeat(MAX_ROWS + 1);
+    let error = read(&format!("n,e\n{rows}"), &Reading::default()).unwrap_err();
+    assert_eq!(
+        error.to_string(),
+        "line 1048578: a row too many (allowed: up to 1048576 rows)"
+    );
+}
+
+#[test]
+fn of_very_many_levels_the_finest_are_shown() {
+    let row = |n: u32| format!("{n},{}e-9", 20_000 - n);
+    let rows: Vec<String> = (1..=10_003).map(row).collect();
+    let table = format!("n,e\n{}\n", rows.join("\n"));
+    volver(&["fit", "-"], &table)
+        .assert()
+        .stdout(contains(
+            "The finest 10000 of 10003 levels; --json has all of them.",
+        ))
+        .stdout(contains("\n      3      4  "))
+        .stdout(contains("\n      2      3  ").not())
+        .stdout(contains("\n  10002  10003  "));
+    let all = json(&["fit", "-"], &table);
+    assert_eq!(all["samples"].as_array().unwrap().len(), 10_003);
 }

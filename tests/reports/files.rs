@@ -5,7 +5,9 @@ use super::entries::{entry, replicated};
 use std::fs;
 use std::path::Path;
 use volver::document::{Block, Cell, Column, Medium, Table};
-use volver::render::{ReportError, check_file, prepare_directory, svg, write_document, write_file};
+use volver::render::{
+    ReportError, check_directory, check_file, make_directory, svg, write_document, write_file,
+};
 use volver::report::reproduce::{document, write};
 use volver::study::reproduce::Settings;
 
@@ -116,10 +118,13 @@ fn special_files_are_written_to() {
 }
 
 #[test]
-fn a_directory_is_made_and_left_empty() {
+fn checking_a_directory_leaves_all_as_it_is() {
     let parent = tempfile::tempdir().unwrap();
     let dir = parent.path().join("a/b");
-    prepare_directory(&dir).unwrap();
+    check_directory(&dir).unwrap();
+    assert_eq!(fs::read_dir(parent.path()).unwrap().count(), 0);
+    make_directory(&dir).unwrap();
+    check_directory(&dir).unwrap();
     assert_eq!(fs::read_dir(&dir).unwrap().count(), 0);
 }
 
@@ -129,7 +134,7 @@ fn a_file_where_a_directory_should_be_is_named() {
     let file = parent.path().join("file");
     fs::write(&file, "mine").unwrap();
     for path in [file.clone(), file.join("below")] {
-        let error = prepare_directory(&path).unwrap_err();
+        let error = check_directory(&path).unwrap_err();
         assert!(error.to_string().contains(&path.display().to_string()));
     }
     let below = file.join("report.json");

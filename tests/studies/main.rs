@@ -8,9 +8,14 @@
     clippy::float_cmp
 )]
 
+mod budgets;
 mod command_line;
+mod every;
+mod input;
 mod nonsmooth;
+mod pipes;
 mod plan;
+mod progress;
 mod report;
 mod run;
 mod standing;

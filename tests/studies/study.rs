@@ -235,6 +235,34 @@ fn a_study_that_was_killed_goes_on_to_the_same_bytes() {
     refused_journals(&half);
 }
 
+#[test]
+fn a_resumed_study_has_the_page_of_one_that_was_not() {
+    let parent = tempfile::tempdir().unwrap();
+    let run = |place: &str, more: &[&str]| {
+        let directory = parent.path().join(place);
+        let arguments = ["--cases", "vacuum,homogeneous", "--levels", "8..64"];
+        let mut command = volver(&arguments);
+        command.args(["--quiet", "--out", "kept"]).args(more);
+        command.current_dir(&directory).assert().code(0);
+        directory.join("kept")
+    };
+    for place in ["whole", "resumed"] {
+        fs::create_dir(parent.path().join(place)).unwrap();
+    }
+    let whole = run("whole", &[]);
+    let resumed = parent.path().join("resumed/kept");
+    fs::create_dir(&resumed).unwrap();
+    let journal = fs::read_to_string(whole.join("study.jsonl")).unwrap();
+    let begun: Vec<&str> = journal.split_inclusive('\n').take(3).collect();
+    fs::write(resumed.join("study.jsonl"), begun.concat()).unwrap();
+    run("resumed", &["--resume"]);
+    for entry in fs::read_dir(&whole).unwrap() {
+        let name = entry.unwrap().file_name();
+        let read = |directory: &Path| fs::read(directory.join(&name)).unwrap();
+        assert!(read(&whole) == read(&resumed), "{name:?} differs");
+    }
+}
+
 /// Journals of something else, which stay as they are.
 fn refused_journals(directory: &Path) {
     let journal = directory.join("study.jsonl");
@@ -514,7 +542,7 @@ fn levels_that_do_not_fit_are_refused_with_what_they_take() {
     volver(&["--cases", "homogeneous", "--levels", "8..4194304"])
         .assert()
         .code(2)
-        .stderr(contains("GiB without --yes)"));
+        .stderr(contains("GiB and 1.0 h without --yes)"));
 }
 
 /// A number of a unit, in the unit below it.

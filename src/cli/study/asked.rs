@@ -2,9 +2,9 @@
 
 use crate::cli::Failure;
 use std::fmt::Display;
-use std::fs;
 use std::path::{Path, PathBuf};
 use toml::Spanned;
+use volver::input::{self, WRITTEN};
 use volver::study::sweep::StudyFile;
 
 /// A list of names as a file has it.
@@ -49,7 +49,7 @@ impl Asking {
             });
         };
         let shown = || path.display().to_string();
-        let text = fs::read_to_string(path).map_err(|error| Failure::StudyFile {
+        let text = input::text(path, WRITTEN).map_err(|error| Failure::Input {
             path: shown(),
             error,
         })?;

@@ -1,5 +1,7 @@
 //! What can be wrong with a table.
 
+use super::MAX_ROWS;
+
 /// The column names a header may have.
 const ALLOWED_NAMES: &str = "h, d, dx, step or n; error, err, e, value, v, q or result; floor";
 
@@ -12,6 +14,12 @@ pub enum TableError {
     /// One row alone.
     #[error("line {line}: a single row has no order (allowed: two or more rows)")]
     SingleRow {
+        /// Line of the row.
+        line: usize,
+    },
+    /// More rows than any ladder has.
+    #[error("line {line}: a row too many (allowed: up to {MAX_ROWS} rows)")]
+    TooManyRows {
         /// Line of the row.
         line: usize,
     },

@@ -2,6 +2,7 @@
 
 use super::{PageError, read, render};
 use crate::document::{Document, Link};
+use crate::input::{self, InputError};
 use crate::render::{ReportError, write_file};
 use std::fs;
 use std::path::{Path, PathBuf};
@@ -60,7 +61,7 @@ fn pages(dir: &Path) -> Vec<(String, Document)> {
         .collect();
     names.sort_by_key(|name| (name != INDEX, name.clone()));
     let page = |name: String| {
-        let text = fs::read_to_string(dir.join(&name)).ok()?;
+        let text = input::text(&dir.join(&name), input::COMPUTED).ok()?;
         Some((name, read(&text).ok()?))
     };
     names.into_iter().filter_map(page).collect()
@@ -68,11 +69,12 @@ fn pages(dir: &Path) -> Vec<(String, Document)> {
 
 /// Whether there is a file that this program did not write.
 fn is_foreign(path: &Path) -> bool {
-    match fs::read(path) {
+    match input::file(path, input::COMPUTED) {
         Ok(bytes) => matches!(
             read(&String::from_utf8_lossy(&bytes)),
             Err(PageError::Foreign)
         ),
+        Err(InputError::TooLong { .. }) => true,
         Err(_) => false,
     }
 }

@@ -2,6 +2,7 @@
 
 use super::KIND;
 use crate::document::Document;
+use crate::input::{self, InputError};
 use crate::render::html::{INDEX, PageError, read};
 use std::fs;
 use std::io;
@@ -19,14 +20,23 @@ pub struct Part {
 /// Why reports cannot be compared.
 #[derive(Debug, thiserror::Error)]
 pub enum ComparisonError {
-    /// A directory or a page cannot be read.
+    /// A directory cannot be read.
     #[error("'{}': {reason} (allowed: directories that 'volver … --out DIR' wrote)", path.display())]
     Unreadable {
-        /// The directory or the page.
+        /// The directory.
         path: PathBuf,
         /// What the operating system says.
         #[source]
         reason: io::Error,
+    },
+    /// A page cannot be read, or is too long.
+    #[error("'{}': {reason}", path.display())]
+    Page {
+        /// The page.
+        path: PathBuf,
+        /// Why.
+        #[source]
+        reason: InputError,
     },
     /// A directory has no page.
     #[error("'{}': no page (allowed: directories that 'volver … --out DIR' wrote)", path.display())]
@@ -80,7 +90,12 @@ fn of_directory(dir: &Path) -> Result<Vec<Part>, ComparisonError> {
     let mut foreign = None;
     for name in names(dir)? {
         let path = dir.join(&name);
-        let bytes = fs::read(&path).map_err(|reason| unreadable(&path, reason))?;
+        let bytes = match input::file(&path, input::COMPUTED) {
+            Ok(bytes) => bytes,
+            // Another program's, as below: none of ours is as long.
+            Err(InputError::TooLong { .. }) if name != INDEX => continue,
+            Err(reason) => return Err(ComparisonError::Page { path, reason }),
+        };
         match read(&String::from_utf8_lossy(&bytes)) {
             Ok(page) if page.kind == KIND => {}
             Ok(page) => pages.push(page),

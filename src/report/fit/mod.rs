@@ -5,11 +5,16 @@ mod json;
 pub use json::json;
 
 use crate::convergence::table::FloorSource;
-use crate::convergence::{Fit, Sample, Verdict, Window};
+use crate::convergence::{Fit, Pair, Sample, Verdict, Window};
 use crate::document::{About, Block, Cell, Column, Document, Fact, Section, Table, Tone};
 use crate::method::Expected;
+use crate::real::{MpfrReal, Real};
 use rug::Float;
 use serde::Serialize;
+use std::f64::consts::LOG10_2;
+
+/// More levels are not shown one by one: the finest are.
+const MOST_LEVELS: usize = 10_000;
 
 /// A fit, and what it rests on.
 #[derive(Clone, Debug)]
@@ -45,11 +50,13 @@ pub fn document(fitted: &Fitted, about: &About) -> Document {
     let tone = tone(fitted.fit.verdict);
     document.summary = vec![Fact::new("verdict", fitted.fit.verdict.name()).toned(tone)];
     let facts = Block::Facts(facts(fitted));
-    let levels = Block::Table(levels(fitted));
-    document.sections = vec![
-        Section::of("fit", "", [facts]),
-        Section::of("levels", "", [levels]),
-    ];
+    let mut shown = Section::of("levels", "", [Block::Table(levels(fitted))]);
+    let all = fitted.samples.len();
+    if all > MOST_LEVELS {
+        let said = format!("The finest {MOST_LEVELS} of {all} levels; --json has all of them.");
+        shown.blocks.insert(0, Block::Text(said));
+    }
+    document.sections = vec![Section::of("fit", "", [facts]), shown];
     document
 }
 
@@ -129,8 +136,10 @@ fn levels(fitted: &Fitted) -> Table {
         Column::number("order"),
         Column::text(""),
     ];
-    let rows = fitted.samples.iter().enumerate().map(|(level, sample)| {
-        let pair = fit.pairs.iter().find(|p| p.coarse + 1 == level);
+    let pairs = by_level(fitted.samples.len(), fit.pairs.iter().copied());
+    let levels = fitted.samples.iter().enumerate().zip(pairs);
+    let coarse = fitted.samples.len().saturating_sub(MOST_LEVELS);
+    let rows = levels.skip(coarse).map(|((level, sample), pair)| {
         let inside = fit
             .window
             .is_some_and(|w| (w.first..=w.last).contains(&level));
@@ -154,6 +163,15 @@ fn levels(fitted: &Fitted) -> Table {
     Table::new("Levels, and the order of each with the one before", columns).with(rows)
 }
 
+/// The pair that each level ends, looking at each pair once: there may be millions of levels.
+pub fn by_level(
+    levels: usize,
+    pairs: impl Iterator<Item = Pair>,
+) -> impl Iterator<Item = Option<Pair>> {
+    let mut pairs = pairs.peekable();
+    (0..levels).map(move |level| pairs.next_if(|pair| pair.coarse + 1 == level))
+}
+
 /// Five significant digits, whatever the magnitude.
 fn short(x: &Float) -> String {
     if x.is_zero() {
@@ -165,7 +183,7 @@ fn short(x: &Float) -> String {
 
 /// Of errors below binary64's range too.
 fn log10(x: &Float) -> f64 {
-    x.clone().abs().log10().to_f64()
+    MpfrReal::from(x.clone()).log2_abs() * LOG10_2
 }
 
 /// 2^log₂ with five significant digits; −6645 is 10^−2000, which binary64 does not hold.

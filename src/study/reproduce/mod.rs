@@ -142,6 +142,31 @@ pub fn reproduce(
     Ok(entries)
 }
 
+/// Bytes that a segment takes at 128 bits: all methods of a table keep their nodes.
+const BYTES: f64 = 1024.0;
+/// Seconds that a unit takes at 128 bits, roughly.
+const SECONDS: f64 = 1e-6;
+
+/// How many times 128 bits the widest format has.
+fn width(settings: &Settings) -> f64 {
+    let bits = settings.formats.iter().map(|format| format.bits());
+    bits.fold(1.0, |most, bits| f64::max(most, f64::from(bits) / 128.0))
+}
+
+/// Bytes that it will take, within a factor of a few.
+#[must_use]
+pub fn bytes(settings: &Settings) -> f64 {
+    let finest = settings.ladder.iter().copied().max().unwrap_or(0);
+    finest as f64 * BYTES * width(settings)
+}
+
+/// Seconds that it will take, within a factor of a few.
+#[must_use]
+pub fn seconds(settings: &Settings) -> f64 {
+    // Products of long numbers take longer than they are long.
+    work(settings) as f64 * SECONDS * width(settings).powf(1.6)
+}
+
 /// How many units [`Progress`] will hear of in all.
 #[must_use]
 pub fn work(settings: &Settings) -> u64 {

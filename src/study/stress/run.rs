@@ -65,18 +65,36 @@ pub fn run(settings: &Settings, progress: &dyn Progress) -> Result<Vec<Cell>, St
     tasks.sort_by_key(|(_, scenario, ..)| Reverse(scenario.n));
     let mut cells = parallel::map(&tasks, |&(place, scenario, method, kind, format)| {
         let cell = cell(scenario, method, kind, format);
-        progress.advance(scenario.n);
+        progress.advance(units(kind, format, scenario.n));
         (place, cell)
     });
     cells.sort_by_key(|(place, _)| *place);
     Ok(cells.into_iter().map(|(_, cell)| cell).collect())
 }
 
-/// The units that [`Progress`] will hear of in all.
+/// The units that [`Progress`] will hear of in all: the segments of all cells that are run.
 #[must_use]
 pub fn work(settings: &Settings) -> u64 {
-    let segments: u64 = settings.scenarios.iter().map(|scenario| scenario.n).sum();
-    segments * (settings.methods.len() * settings.formats.len()) as u64
+    let mut work = 0_u64;
+    for method in &settings.methods {
+        // Another method is refused.
+        let Ok(kind) = Kind::of(method) else { continue };
+        for format in &settings.formats {
+            let segments = settings.scenarios.iter();
+            let segments = segments.map(|scenario| units(kind, *format, scenario.n));
+            work = segments.fold(work, u64::saturating_add);
+        }
+    }
+    work
+}
+
+/// The segments of a cell, none where it is left out.
+fn units(kind: Kind, format: FormatName, n: u64) -> u64 {
+    if left_out(kind, format, n).is_some() {
+        0
+    } else {
+        n
+    }
 }
 
 fn cell(scenario: &Scenario, method: &Method, kind: Kind, format: FormatName) -> Cell {

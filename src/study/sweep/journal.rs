@@ -2,9 +2,10 @@
 
 use super::between;
 use super::record::{Header, LevelRecord, Row, Unit};
+use crate::input;
 use serde::Serialize;
 use std::fs::{File, OpenOptions};
-use std::io::{self, BufRead, BufReader, Seek, SeekFrom, Write};
+use std::io::{self, BufRead, BufReader, Read, Seek, SeekFrom, Write};
 use std::path::{Path, PathBuf};
 
 /// A file of finished units behind a header. Every line is written whole and to the disk; a last line that was
@@ -196,7 +197,15 @@ fn read(path: &Path, file: &mut File, header: &Header) -> Result<(Vec<Unit>, u64
     let mut whole = 0;
     for number in 1.. {
         let mut bytes = Vec::new();
-        let count = reader.read_until(b'\n', &mut bytes).map_err(at(path))?;
+        let mut line_of = (&mut reader).take(input::COMPUTED + 1);
+        let count = line_of.read_until(b'\n', &mut bytes).map_err(at(path))?;
+        if count as u64 > input::COMPUTED {
+            return Err(JournalError::Line {
+                path: path.display().to_string(),
+                line: number,
+                reason: format!("more than {} bytes", input::COMPUTED),
+            });
+        }
         if bytes.last() != Some(&b'\n') {
             // The end, or a line that was cut off; a file of something else is not for us to cut.
             if number == 1 && !line(header).as_bytes().starts_with(&bytes) {

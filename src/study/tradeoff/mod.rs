@@ -26,5 +26,5 @@ pub use measure::Timing;
 pub use pareto::front;
 pub use record::{Outcome, Point, Unit};
 pub use results::{CaseResults, Results};
-pub use run::{Settings, TradeoffError, estimate, run};
+pub use run::{Settings, TradeoffError, bytes, estimate, run, seconds};
 pub use summary::{Agreement, Standing, agreement, standings};

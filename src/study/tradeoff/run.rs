@@ -107,6 +107,33 @@ pub fn estimate(settings: &Settings) -> u64 {
     runs.saturating_mul(segments).saturating_mul(rounds)
 }
 
+/// Seconds that a segment of a method takes at 128 bits, counted too, on one core, roughly.
+const SECONDS: f64 = 2e-5;
+/// The numbers that a method keeps of a segment: s, C and τ at its nodes, depths, transmittances.
+const NUMBERS: f64 = 16.0;
+/// Bytes a number takes beside its digits.
+const HEADER_BYTES: f64 = 48.0;
+
+/// Seconds that it will take, within a factor of a few. What is timed runs on one thread.
+#[must_use]
+pub fn seconds(settings: &Settings, threads: usize) -> f64 {
+    let threads = if settings.timed { 1 } else { threads.max(1) };
+    let formats = settings.sweep.formats.iter();
+    let bits = formats.map(|format| f64::from(format.bits()));
+    let weight = bits.fold(1.0, |most, bits| f64::max(most, bits / 128.0));
+    estimate(settings) as f64 * SECONDS * weight / threads as f64
+}
+
+/// Bytes that it will take: of as many runs at a time as there are threads.
+#[must_use]
+pub fn bytes(settings: &Settings, threads: usize) -> f64 {
+    let finest = settings.sweep.levels.iter().copied().max().unwrap_or(0) as f64;
+    let formats = settings.sweep.formats.iter();
+    let bits = formats.map(|format| f64::from(format.bits()));
+    let number = bits.fold(0.0, f64::max) / 8.0 + HEADER_BYTES;
+    finest * NUMBERS * number * threads.max(1) as f64
+}
+
 /// Runs all; `finished` hears of every unit, by case and then by format.
 ///
 /// # Errors
