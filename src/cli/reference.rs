@@ -29,6 +29,7 @@ const HEADER_BYTES: f64 = 32.0;
 /// Print the radiance of a case to any number of digits
 #[derive(Args)]
 #[command(after_help = examples())]
+#[allow(clippy::struct_excessive_bools)] // One an option.
 pub(crate) struct ReferenceValue {
     /// A name of the catalogue, a channel of it, or a file
     #[arg(value_name = "CASE")]

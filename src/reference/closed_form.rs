@@ -81,13 +81,14 @@ pub(super) fn evaluate(
 
 /// The value at the far end in so many bits, with more where digits cancel; `None` where that does not help.
 fn enclosed(program: &Program, length: &Rational, bits: u32) -> Option<Interval> {
-    let mut precision = bits + GUARD_BITS;
+    // More than it is held with, so that the middle of what is enclosed is the nearest number.
+    let mut precision = bits + 2 * GUARD_BITS;
     for _ in 0..=DOUBLINGS {
         let end = Interval::point(precision, length);
         let value = hull(program, &end, precision).pop()??;
         let off = Float::with_val(64, value.width());
         let middle = value.midpoint();
-        if off.is_zero() || value.is_finite() && believed_bits(&middle, &off) > bits {
+        if off.is_zero() || value.is_finite() && believed_bits(&middle, &off) > bits + GUARD_BITS {
             return Some(value);
         }
         precision = (2 * precision).min(MAX_BITS);

@@ -13,7 +13,8 @@ impl Expr {
     /// Every symbol for which `replacement` gives something replaced by it, all at once.
     #[must_use]
     pub fn substitute_all(&self, replacement: impl Fn(&str) -> Option<Expr>) -> Expr {
-        self.rebuild(|node| match node.kind() {
+        // Only what was a symbol before: a sum that becomes one, x + 1 − 1, is done.
+        self.rebuild_each(|old, _| match old.kind() {
             super::Kind::Symbol(name) => replacement(name),
             _ => None,
         })
@@ -23,6 +24,11 @@ impl Expr {
     /// parts up: `replace` sees a node after its parts are rebuilt.
     #[must_use]
     pub fn rebuild(&self, mut replace: impl FnMut(&Expr) -> Option<Expr>) -> Expr {
+        self.rebuild_each(|_, new| replace(new))
+    }
+
+    /// The same for every node as it was and as it is with its parts rebuilt.
+    fn rebuild_each(&self, mut replace: impl FnMut(&Expr, &Expr) -> Option<Expr>) -> Expr {
         let mut rebuilt: HashMap<&Expr, Expr> = HashMap::default();
         for node in self.nodes() {
             let parts: Vec<Expr> = node
@@ -36,7 +42,7 @@ impl Expr {
             } else {
                 node.with_parts(&parts)
             };
-            let new = replace(&new).unwrap_or(new);
+            let new = replace(node, &new).unwrap_or(new);
             rebuilt.insert(node, new);
         }
         rebuilt.remove(self).unwrap_or_else(|| self.clone())

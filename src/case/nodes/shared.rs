@@ -75,14 +75,12 @@ impl<R> Debug for Cache<R> {
     }
 }
 
+/// C and τ at places, given as fractions of the ray.
+type Evaluate<'e, R> = dyn Fn(&[(u64, u64)]) -> Column<R> + 'e;
+
 impl<R: Clone> Cache<R> {
     /// The places of a grid; `evaluate` is asked for those that are not kept yet, all at once.
-    fn gather(
-        &mut self,
-        grid: &Grid,
-        count: u64,
-        evaluate: &dyn Fn(&[(u64, u64)]) -> Column<R>,
-    ) -> Arc<Column<R>> {
+    fn gather(&mut self, grid: &Grid, count: u64, evaluate: &Evaluate<'_, R>) -> Arc<Column<R>> {
         let places = row((0..count).map(|j| in_lowest_terms(grid.place(j))));
         let is_new = |place: &&(u64, u64)| !self.values.contains_key(*place);
         let new = row(places.iter().filter(is_new).copied());

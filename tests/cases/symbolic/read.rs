@@ -187,3 +187,17 @@ fn symbols_are_replaced_all_at_once() {
         1
     );
 }
+
+#[test]
+fn a_symbol_is_replaced_once_even_where_a_sum_becomes_it_again() {
+    let moved: Expr = "lambda + 1/2".parse().unwrap();
+    for (text, expected) in [
+        ("lambda - 1/2", "lambda"),
+        ("(lambda - 1/2)^2", "lambda^2"),
+        ("exp(lambda - 1/2) + lambda", "exp(lambda) + lambda + 1/2"),
+    ] {
+        let found = text.parse::<Expr>().unwrap().substitute("lambda", &moved);
+        let expected: Expr = expected.parse().unwrap();
+        assert!((found - expected).simplify().is(0), "{text}");
+    }
+}
