@@ -23,7 +23,7 @@ thorough: setup
 attack: setup
 	cargo test --locked --test orders attack -- --include-ignored --nocapture
 	cargo test --locked --test cases truths -- --include-ignored --nocapture
-	cargo test --locked --test studies nor_is_any_of_many -- --ignored --nocapture
+	cargo test --locked --test studies no_smooth_scene_is_refused -- --nocapture
 
 # Checked by Coq; installs Debian's packages where they are missing. The cases are those that the program writes now.
 proofs: setup

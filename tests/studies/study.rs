@@ -704,3 +704,31 @@ fn the_examples_of_the_help_run() {
     }
     assert_eq!(count, 4);
 }
+
+/// C is 0/0 at 0, so that nothing says that it has a value there.
+#[test]
+fn what_is_not_proved_of_a_case_is_named() {
+    let directory = tempfile::tempdir().unwrap();
+    let file = directory.path().join("open.toml");
+    let text =
+        "name = \"open\"\nlength = 1\ndepth = \"1 - cos(lambda)\"\nradiance = \"lambda^2\"\n";
+    fs::write(&file, text).unwrap();
+    let run = |more: &[&str]| {
+        let mut command = volver(&["--cases"]);
+        command
+            .arg(&file)
+            .args(["--methods", "trapezoid/trapezoid"]);
+        command
+            .args(["--formats", "f64", "--levels", "8..64"])
+            .args(more);
+        String::from_utf8(command.output().unwrap().stdout).unwrap()
+    };
+    let text = run(&[]);
+    assert!(
+        text.contains("not proved: open, C defined: undecided near lambda = 0"),
+        "{text}"
+    );
+    let document: Value = serde_json::from_str(&run(&["--json", "-"])).unwrap();
+    assert_eq!(document["unproved"][0]["case"], "open");
+    assert_eq!(document["unproved"][0]["claim"], "C defined");
+}

@@ -48,6 +48,7 @@ fn section(found: &Found<'_>, digits: u32) -> Section {
         "estimated"
     };
     let known = match reference.digits() {
+        Some(0) => format!("{digits} asked for, none {word}"),
         Some(known) => format!("{digits} asked for, {known} {word}"),
         None => format!("exact, {word}"),
     };

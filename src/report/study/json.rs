@@ -1,5 +1,6 @@
 //! Everything but the levels, for programs.
 
+use crate::case::Unproved;
 use crate::convergence::Fit;
 use crate::convergence::{Laws, serialize_float};
 use crate::report::ReportError;
@@ -13,6 +14,16 @@ struct Document<'a> {
     volver: &'static str,
     settings: Settings<'a>,
     rows: Vec<RowOf<'a>>,
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    unproved: Vec<Open<'a>>,
+}
+
+/// A statement of a case that is not proved.
+#[derive(Serialize)]
+struct Open<'a> {
+    case: &'a str,
+    #[serde(flatten)]
+    what: &'a Unproved,
 }
 
 #[derive(Serialize)]
@@ -75,6 +86,11 @@ pub fn json(results: &Results) -> Result<String, ReportError> {
                 .map(|bits| [*bits.start(), *bits.end()]),
         },
         rows: results.lines.iter().map(row).collect(),
+        unproved: results
+            .unproved
+            .iter()
+            .map(|(case, what)| Open { case, what })
+            .collect(),
     };
     let mut text = serde_json::to_string_pretty(&document)?;
     text.push('\n');

@@ -11,6 +11,7 @@ pub use parts::of_split;
 
 use super::counts::counts;
 use super::names::FileNames;
+use crate::case::Unproved;
 use crate::convergence::Fit;
 use crate::document::{
     About, Block, Cell, Column, Conclusion, Document, Fact, Figure, Finding, Medium, Section,
@@ -39,6 +40,7 @@ pub fn document(results: &Results, about: &About) -> Document {
         .push(Fact::new("lines", lines().count().to_string()));
     document.conclusion = Some(Conclusion::new(summary(results)));
     document.sections.push(run(results));
+    document.sections.extend(unproved(results));
     let mut names = FileNames::default();
     for (case, method, lines) in results.groups().filter(|(.., lines)| !lines.is_empty()) {
         let file = names.next("parts", &[case, method]);
@@ -59,6 +61,18 @@ pub fn document(results: &Results, about: &About) -> Document {
             .push(Section::of("words", "Words", [legend]).aside());
     }
     document
+}
+
+/// What the cases rest on and is not proved.
+fn unproved(results: &Results) -> Option<Section> {
+    let said = |(case, open): &(String, Unproved)| {
+        Block::Finding(Finding {
+            tone: Some(Tone::Open),
+            ..Finding::new("not proved", format!("{case}, {open}"))
+        })
+    };
+    let said: Vec<Block> = results.unproved.iter().map(said).collect();
+    (!said.is_empty()).then(|| Section::of("not-proved", "Not proved", said))
 }
 
 /// Writes `study.csv`, `study.json`, `study.tex`, one figure a case and method, `study.md`, which shows them, and a page,

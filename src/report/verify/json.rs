@@ -1,6 +1,7 @@
 //! Everything, for programs.
 
 use super::words::theory;
+use crate::case::Unproved;
 use crate::convergence::{Fit, Sample, StochasticFit, serialize_float};
 use crate::diagnosis::Match;
 use crate::report::ReportError;
@@ -71,6 +72,8 @@ struct Row<'a> {
     half_width: Option<f64>,
     #[serde(serialize_with = "serialize_float")]
     exact: Float,
+    #[serde(skip_serializing_if = "<[_]>::is_empty")]
+    unproved: &'a [Unproved],
     steady: bool,
     failures: Vec<Failure>,
     #[serde(skip_serializing_if = "Option::is_none")]
@@ -169,6 +172,7 @@ fn row(line: &Line) -> Row<'_> {
         order: order.map(|(order, _)| order),
         half_width: order.map(|(_, half_width)| half_width),
         exact: line.exact.clone(),
+        unproved: &line.unproved,
         steady: line.steady,
         failures: failures.collect(),
         fit,

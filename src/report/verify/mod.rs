@@ -17,7 +17,7 @@ pub use rows::{heading, row};
 use super::plots;
 use crate::diagnosis::Fingerprint;
 use crate::document::{
-    self, About, Block, Cell, Column, Document, Fact, Medium, Section, Table, Tone,
+    self, About, Block, Cell, Column, Document, Fact, Finding, Medium, Section, Table, Tone,
 };
 use crate::method::Expected;
 #[cfg(feature = "studies")]
@@ -119,7 +119,20 @@ fn said_by_values(verification: &Verification) -> Vec<Block> {
         let found = findings(verification, most).into_iter();
         found.map(move |found| Block::Finding(found).only(medium))
     });
-    said.chain(found.into_iter().flatten()).collect()
+    said.chain(found.into_iter().flatten())
+        .chain(unproved(&verification.lines))
+        .collect()
+}
+
+/// What channels rest on and is not proved.
+fn unproved(lines: &[Line]) -> impl Iterator<Item = Block> {
+    lines.iter().flat_map(|line| {
+        let said = |open| Finding {
+            tone: Some(Tone::Open),
+            ..Finding::new("not proved", format!("{}, {open}", line.name))
+        };
+        line.unproved.iter().map(said).map(Block::Finding)
+    })
 }
 
 fn channels(lines: &[Line]) -> Vec<Block> {

@@ -2,6 +2,7 @@
 
 use super::record::{Header, LevelRecord, Row, Theory, Unit};
 use super::summary::{Summary, summarize};
+use crate::case::Unproved;
 use crate::convergence::{FitError, Verdict};
 use crate::real::{MpfrReal, Real};
 use rug::Float;
@@ -17,6 +18,8 @@ pub struct Results {
     pub sweep_bits: Option<RangeInclusive<u32>>,
     /// One line a case, method and format; by case, then by format, then by method.
     pub lines: Vec<Line>,
+    /// What is not proved of the cases, each by its name.
+    pub unproved: Vec<(String, Unproved)>,
 }
 
 /// One method on one case in one format.
@@ -76,7 +79,14 @@ impl Results {
             header,
             sweep_bits,
             lines,
+            unproved: Vec::new(),
         })
+    }
+
+    /// With what is not proved of the cases, each by its name.
+    #[must_use]
+    pub fn with_unproved(self, unproved: Vec<(String, Unproved)>) -> Results {
+        Results { unproved, ..self }
     }
 
     /// Every case with every method, with the lines of all formats but those of the sweep.

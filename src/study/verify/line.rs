@@ -1,6 +1,7 @@
 //! What a kernel shows on one channel of a case.
 
 use super::Standing;
+use crate::case::Unproved;
 use crate::convergence::{Fit, Replicas, Sample, StochasticFit, Verdict};
 use crate::kernel::KernelError;
 use crate::method::Expected;
@@ -15,6 +16,8 @@ pub struct Line {
     pub expected: Option<Expected>,
     /// The radiance that it should give.
     pub exact: Float,
+    /// What that rests on and is not proved.
+    pub unproved: Vec<Unproved>,
     /// What was measured.
     pub measured: Measured,
     /// Levels without an answer.

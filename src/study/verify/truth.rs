@@ -1,7 +1,7 @@
 //! The radiance that a kernel should give.
 
 use super::VerifyError;
-use crate::case::{Case, SymbolicCase, Transfer};
+use crate::case::{Case, SymbolicCase, Transfer, Unproved};
 use crate::diagnosis::{LinearSegments, WALL_LENGTH};
 use crate::kernel::Volume;
 use crate::real::{Format, Mpfr, MpfrReal, Real};
@@ -13,17 +13,24 @@ const LAST_SAMPLE: (u32, u32) = (1, 10_000);
 
 /// The radiance of one channel of a case, with what stands at the end of the ray.
 ///
-/// I + T(D) C(s(D)) where there is a far wall, and something in front of it that absorbs.
+/// I + T(D) C(s(D)) where there is a far wall, and something in front of it that absorbs. With it what is not proved of
+/// either.
 pub(super) fn of_case(
     case: &SymbolicCase,
     bits: u32,
     far_wall: bool,
-) -> Result<Float, VerifyError> {
+) -> Result<(Float, Vec<Unproved>), VerifyError> {
     let failed = |error| VerifyError::Reference {
         case: case.name().into(),
         error,
     };
-    let mut radiance = reference::radiance(case, bits).map_err(failed)?.value;
+    let found = reference::radiance(case, bits).map_err(failed)?;
+    let mut unproved = case.unproved().to_vec();
+    unproved.extend(found.not_enclosed.as_ref().map(|reason| Unproved {
+        claim: "I(D)".into(),
+        reason: format!("an estimate: {reason}"),
+    }));
+    let mut radiance = found.value;
     if far_wall {
         let depth = reference::optical_depth(case, bits).map_err(failed)?.value;
         let format = Mpfr {
@@ -37,7 +44,7 @@ pub(super) fn of_case(
         let opacity = -(-(extinction * &format.int(WALL_LENGTH))).exp_m1();
         radiance += (-depth).exp() * (wall.emission * &opacity).to_float();
     }
-    Ok(radiance)
+    Ok((radiance, unproved))
 }
 
 /// The exact radiance of one channel of the medium that a volume stands for: the sum over stretches in which C

@@ -231,3 +231,27 @@ fn places_that_cannot_be_written_are_named_before_the_kernel_starts() {
         assert_eq!(run.out, "");
     }
 }
+
+/// C is 0/0 at 0, so that nothing says that it has a value there.
+#[test]
+fn what_is_not_proved_of_a_case_is_named_beside_what_leans_on_it() {
+    let directory = tempfile::tempdir().unwrap();
+    let file = directory.path().join("open.toml");
+    let text =
+        "name = \"open\"\nlength = 1\ndepth = \"1 - cos(lambda)\"\nradiance = \"lambda^2\"\n";
+    fs::write(&file, text).unwrap();
+    let file = file.to_str().unwrap();
+    let run = |more: &[&str]| {
+        let given = ["verify", "--cases", file, "--ladder", "8..256"];
+        volver(&[&given, more].concat())
+    };
+    let text = run(&[METHOD]);
+    text.shows("not proved: open, C defined: undecided near lambda = 0");
+    let document = run(&["--json", "-", METHOD]).json();
+    let unproved = &document["lines"][0]["unproved"];
+    assert_eq!(unproved[0]["claim"], "C defined");
+    assert_eq!(unproved[0]["reason"], "undecided near lambda = 0");
+    // Nothing is said of what is proved.
+    let proved = verify(&["--json", "-"], &[METHOD]).json();
+    assert!(proved["lines"][0].get("unproved").is_none());
+}

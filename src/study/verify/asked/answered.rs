@@ -25,7 +25,8 @@ impl Asked<'_> {
     ) -> Result<(Line, Watched), VerifyError> {
         let case = &self.subject.cases()[channel];
         let bits = self.declaration.format.bits().max(f64::MANTISSA_DIGITS);
-        let exact = truth::of_case(case, bits + REFERENCE_BITS, self.declaration.far_wall)?;
+        let (exact, unproved) =
+            truth::of_case(case, bits + REFERENCE_BITS, self.declaration.far_wall)?;
         let stepwise = match self.levels.first().map(|level| &level.volume) {
             Some(Some(volume)) if self.settings.axis == Axis::Step => {
                 let length = self.subject.length();
@@ -96,7 +97,10 @@ impl Asked<'_> {
             radiances.push(n, step, values, floor, declared.map(|d| d.exact));
         }
         let steady = Self::is_steady(channel, answers);
-        let line = self.judged(channel, radiances, failures, (steady, in_range))?;
+        let line = Line {
+            unproved,
+            ..self.judged(channel, radiances, failures, (steady, in_range))?
+        };
         Ok((line, watched))
     }
 
@@ -174,6 +178,7 @@ impl Asked<'_> {
             name,
             expected,
             exact: radiances.exact,
+            unproved: Vec::new(),
             measured,
             failures,
             steady,
