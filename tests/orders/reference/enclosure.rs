@@ -204,10 +204,15 @@ fn kinks_and_jumps_that_nobody_told_of_cost_a_few_panels() {
 #[test]
 fn few_bits_are_as_certain_as_many() {
     // What series leave out is all of the error here, and none of it is rounding.
-    for text in ["exp(-3*s)", "1/(1 + 25*s^2)", "2 + sin(40*s)", "sqrt(s)"] {
+    for text in [
+        "1 + 100*exp(-((s - 0.37)/0.01)^2)",
+        "2 + tanh((s - 0.4)/0.001)",
+        "1/(1 + ((s - 0.6)/0.01)^2)",
+        "sqrt(s)",
+    ] {
         let case = medium(text, "1 + cos(5*s)");
         let exact = enclosed_radiance(&case, 300).unwrap();
-        for bits in [10, 16, 24, 40] {
+        for bits in [10, 16, 24, 32, 40, 56] {
             let found = enclosed_radiance(&case, bits).unwrap();
             let error = distance(&found.value, &exact.value);
             assert!(
