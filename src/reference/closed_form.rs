@@ -1,7 +1,7 @@
 //! Closed forms, in intervals where they are formulas. Where they are code they are evaluated at two precisions: what
 //! differs is what rounding and cancellation do.
 
-use super::enclosure::hull;
+use super::enclosure::values;
 use super::medium::Medium;
 use super::{
     GUARD_BITS, NotEnclosed, Quantity, Reference, ReferenceError, Source, Work, believed_bits,
@@ -85,7 +85,7 @@ fn enclosed(program: &Program, length: &Rational, bits: u32) -> Option<Interval>
     let mut precision = bits + 2 * GUARD_BITS;
     for _ in 0..=DOUBLINGS {
         let end = Interval::point(precision, length);
-        let value = hull(program, &end, precision).pop()??;
+        let value = values(program, &end).pop()??;
         let off = Float::with_val(64, value.width());
         let middle = value.midpoint();
         if off.is_zero() || value.is_finite() && believed_bits(&middle, &off) > bits + GUARD_BITS {

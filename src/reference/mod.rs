@@ -185,8 +185,13 @@ fn best(case: &dyn Medium, quantity: Quantity, bits: u32) -> Result<Reference, R
     check_bits(bits)?;
     match closed_form::evaluate(case, quantity, bits) {
         Some(reference) => reference,
-        None => enclosed(case, quantity, bits)
-            .or_else(|reason| spectral::integrate(case, quantity, bits, reason)),
+        None => enclosed(case, quantity, bits).or_else(|reason| match reason {
+            // Certain, and no matter of how it is integrated.
+            NotEnclosed::NegativeExtinction { lambda } => {
+                Err(ReferenceError::NegativeExtinction { lambda })
+            }
+            reason => spectral::integrate(case, quantity, bits, reason),
+        }),
     }
 }
 

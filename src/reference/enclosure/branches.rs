@@ -21,11 +21,16 @@ pub(super) enum Taken {
 ///
 /// Where the two sides of a comparison touch but never cross, it is decided by the place within: both sides are
 /// analytic, and where they differ somewhere they are equal in single places only, which an integral does not see.
-pub(super) fn branches(program: &Program, panel: &Interval, within: &Interval, bits: u32) -> Taken {
+pub(super) fn branches(
+    program: &Program,
+    constants: &[Interval],
+    panel: &Interval,
+    within: &Interval,
+) -> Taken {
     let count = program.instructions().len();
     let mut taken = Branches(vec![None; count]);
-    let mut everywhere = Run::new(program, panel, bits);
-    let mut somewhere = Run::new(program, within, bits);
+    let mut everywhere = Run::new(program, constants, panel);
+    let mut somewhere = Run::new(program, constants, within);
     let mut is_analytic = true;
     for (place, instruction) in program.instructions().iter().enumerate() {
         let sides = match instruction.operation {
@@ -41,7 +46,7 @@ pub(super) fn branches(program: &Program, panel: &Interval, within: &Interval, b
             _ => None,
         };
         if let Some((left, right, relation)) = sides {
-            let zero = Interval::constant(bits, &rug::Rational::new());
+            let zero = Interval::constant(panel.bits(), &rug::Rational::new());
             let both = |run: &Run<'_, Interval>| {
                 let right = right.map_or(Some(zero.clone()), |right| run.value(right));
                 run.value(left).zip(right)

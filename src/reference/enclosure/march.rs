@@ -177,7 +177,7 @@ impl<'m> March<'m> {
         self.work.points += degree as u64 + 1;
         let depths = points.integrals(&extinction);
         // What the series of τ leaves out of t, anywhere on the panel.
-        let missed = remainder(&bound, &bound.extinction, &reach, degree, 8);
+        let missed = remainder(&bound, &bound.extinction, &reach, degree);
         let mut source = Vec::new();
         if self.settings.light.is_some() {
             for ((c, tau), depth) in emission.iter().zip(&extinction).zip(&depths) {
@@ -189,7 +189,7 @@ impl<'m> March<'m> {
                 let size = log2_abs(value.lower()).max(log2_abs(value.upper()));
                 self.brightest = self.brightest.max(size + log2_abs(reach.upper()));
             }
-            let missed = remainder(&bound, &bound.light, &reach, degree, 8);
+            let missed = remainder(&bound, &bound.light, &reach, degree);
             let missed = &missed * &(-&self.depth).exp();
             self.light = &(&self.light + &light) + &missed;
         }
@@ -266,13 +266,7 @@ impl<'m> March<'m> {
     /// From the range of the medium alone; `false` where that is too rough.
     fn enclose_roughly(&mut self, panel: &Stretch) -> Result<bool, NotEnclosed> {
         let bits = self.settings.precision;
-        let whole = Interval::exactly(&panel.from).union(&Interval::exactly(&panel.to));
-        let mut values = match &panel.branches {
-            Some(branches) => run(self.program, &self.constants, &whole, branches),
-            None => hull(self.program, &whole, bits),
-        }
-        .into_iter();
-        let (Some(Some(emission)), Some(Some(extinction))) = (values.next(), values.next()) else {
+        let Some((emission, extinction)) = self.range(panel) else {
             return if panel.branches.is_none() {
                 Err(NotEnclosed::NotBounded {
                     lambda: panel.from.to_f64(),
@@ -304,13 +298,24 @@ impl<'m> March<'m> {
         Ok(true)
     }
 
+    /// All values of C and τ on a part of the ray, where they have a bound.
+    fn range(&self, part: &Stretch) -> Option<(Interval, Interval)> {
+        let whole = Interval::exactly(&part.from).union(&Interval::exactly(&part.to));
+        let outputs = match &part.branches {
+            Some(branches) => run(self.program, &self.constants, &whole, branches),
+            None => hull(self.program, &self.constants, &whole),
+        };
+        let mut outputs = outputs.into_iter();
+        outputs.next()?.zip(outputs.next()?)
+    }
+
     /// Adds what is between the last number below the far end and the end.
     pub(super) fn finish(&mut self, end: &Interval) -> Result<(), NotEnclosed> {
         if end.lower() == end.upper() {
             return Ok(());
         }
         let lambda = end.lower().to_f64();
-        let outputs = hull(self.program, end, self.settings.precision);
+        let outputs = hull(self.program, &self.constants, end);
         let [Some(emission), Some(extinction)] = &outputs[..] else {
             return Err(NotEnclosed::NotBounded { lambda });
         };
@@ -339,14 +344,7 @@ impl<'m> March<'m> {
         }
         let mut brightest = Float::new(64);
         for stretch in rest.iter().chain([panel]) {
-            let whole = Interval::exactly(&stretch.from).union(&Interval::exactly(&stretch.to));
-            let mut values = match &stretch.branches {
-                Some(branches) => run(self.program, &self.constants, &whole, branches),
-                None => hull(self.program, &whole, 64),
-            }
-            .into_iter();
-            let (Some(Some(emission)), Some(Some(extinction))) = (values.next(), values.next())
-            else {
+            let Some((emission, extinction)) = self.range(stretch) else {
                 return false;
             };
             if !extinction.is_nonnegative() {
@@ -371,14 +369,8 @@ fn log2_e(x: &Float) -> f64 {
     x.to_f64() * std::f64::consts::LOG2_E
 }
 
-/// ± `factor`·h·M ρ^(−n)/(ρ − 1): what an integral over a panel of half-width h, or over part of it, is off by.
-fn remainder(
-    bound: &Bound,
-    magnitude: &Float,
-    reach: &Interval,
-    degree: usize,
-    factor: u32,
-) -> Interval {
+/// ± 8 h M ρ^(−n)/(ρ − 1): what an integral over a panel of half-width h, or over part of it, is off by.
+fn remainder(bound: &Bound, magnitude: &Float, reach: &Interval, degree: usize) -> Interval {
     let bits = 64;
     let rho = Float::with_val(bits, bound.rho);
     let mut decay = Float::with_val(bits, 1);
@@ -388,7 +380,7 @@ fn remainder(
     decay.next_up();
     let less = Float::with_val_round(bits, &rho - 1_u32, Round::Down).0;
     let product = Float::with_val_round(bits, magnitude * reach.upper(), Round::Up).0;
-    let product = Float::with_val_round(bits, &product * factor, Round::Up).0;
+    let product = Float::with_val_round(bits, &product * 8_u32, Round::Up).0;
     let product = Float::with_val_round(bits, &product * &decay, Round::Up).0;
     let product = Float::with_val_round(bits, &product / &less, Round::Up).0;
     let above = Interval::exactly(&product);

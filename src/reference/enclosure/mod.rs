@@ -22,13 +22,12 @@ use crate::real::MAX_BITS;
 use crate::symbolic::{Interval, Program};
 use march::{March, Settings};
 use rug::{Float, Rational};
+use run::{constants, hull};
 use stretch::stretches;
 
 pub use rectangle::Rectangle;
 pub use run::range;
 pub use transform::Points;
-
-pub(super) use run::hull;
 
 /// Bits beyond the tolerance that numbers have.
 const ROUNDING_BITS: u32 = 64;
@@ -166,6 +165,11 @@ pub(super) fn enclose(
     Err(NotEnclosed::TooFewBits { reached })
 }
 
+/// All values of a program on an interval, in as many bits.
+pub(super) fn values(program: &Program, input: &Interval) -> Vec<Option<Interval>> {
+    hull(program, &constants(program, input.bits()), input)
+}
+
 /// The ray in parts that go one way each.
 fn parts(medium: &Medium<'_>, end: &Interval, precision: u32) -> Option<Vec<stretch::Stretch>> {
     let mut cuts = vec![Float::new(precision), end.lower().clone()];
@@ -180,5 +184,6 @@ fn parts(medium: &Medium<'_>, end: &Interval, precision: u32) -> Option<Vec<stre
     cuts.sort_by(Float::total_cmp);
     cuts.retain(|cut| *cut >= 0 && cut <= end.lower());
     let shortest = Float::with_val(64, end.upper()) >> (precision - ROUNDING_BITS / 2);
-    stretches(&medium.program, &cuts, &shortest)
+    let constants = constants(&medium.program, precision);
+    stretches(&medium.program, &constants, &cuts, &shortest)
 }

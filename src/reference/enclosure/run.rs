@@ -38,7 +38,7 @@ impl<T> Registers<T> {
 pub(super) struct Run<'p, N> {
     program: &'p Program,
     input: N,
-    constants: Vec<N>,
+    constants: &'p [N],
     registers: Registers<N>,
 }
 
@@ -58,12 +58,7 @@ pub(super) fn run<N: Number>(
     input: &N,
     branches: &Branches,
 ) -> Vec<Option<N>> {
-    let mut run = Run {
-        program,
-        input: input.clone(),
-        constants: constants.to_vec(),
-        registers: Registers::default(),
-    };
+    let mut run = Run::new(program, constants, input);
     for (instruction, &way) in program.instructions().iter().zip(&branches.0) {
         run.step(instruction, way);
     }
@@ -75,16 +70,21 @@ pub(super) fn run<N: Number>(
 pub fn range(program: &Program, input: &Rectangle) -> Vec<Option<Rectangle>> {
     let bits = input.re.bits();
     let branches = Branches(vec![None; program.instructions().len()]);
-    run(program, &constants(program, bits), input, &branches)
+    run(
+        program,
+        &constants::<Rectangle>(program, bits),
+        input,
+        &branches,
+    )
 }
 
 /// All values that the outputs take on a part of the ray, whichever way it goes there.
-pub(in crate::reference) fn hull(
+pub(super) fn hull(
     program: &Program,
+    constants: &[Interval],
     input: &Interval,
-    bits: u32,
 ) -> Vec<Option<Interval>> {
-    let mut run = Run::new(program, input, bits);
+    let mut run = Run::new(program, constants, input);
     for instruction in program.instructions() {
         let both = |a: Operand, b: Operand| {
             let (a, b) = (run.value(a)?, run.value(b)?);
@@ -133,11 +133,11 @@ fn holds(relation: Relation, (left, right): &(Interval, Interval)) -> Option<boo
 }
 
 impl<'p, N: Number> Run<'p, N> {
-    pub(super) fn new(program: &'p Program, input: &N, bits: u32) -> Self {
+    pub(super) fn new(program: &'p Program, constants: &'p [N], input: &N) -> Self {
         Run {
             program,
             input: input.clone(),
-            constants: constants(program, bits),
+            constants,
             registers: Registers::default(),
         }
     }

@@ -40,6 +40,7 @@ const MAX_PARTS: usize = 1 << 16;
 /// `None` where there is no end of it.
 pub(super) fn stretches(
     program: &Program,
+    constants: &[Interval],
     cuts: &[Float],
     shortest: &Float,
 ) -> Option<Vec<Stretch>> {
@@ -58,7 +59,7 @@ pub(super) fn stretches(
         }
         let middle = Float::with_val(from.prec(), &from + &to) / 2_u32;
         let panel = Interval::exactly(&from).union(&Interval::exactly(&to));
-        let taken = branches(program, &panel, &Interval::exactly(&middle), from.prec());
+        let taken = branches(program, constants, &panel, &Interval::exactly(&middle));
         let width = Float::with_val(64, &to - &from);
         let branches = match taken {
             Taken::Known(branches) => Some(branches),

@@ -4,8 +4,9 @@
 use super::{bits, distance, medium, medium_of};
 use rug::float::Constant;
 use rug::{Float, Rational};
-use volver::case::Case;
+use volver::case::{Case, HomogeneousSlab, Reciprocal, ReciprocalSquare, SineSquared};
 use volver::inside::reference::{Points, Rectangle, range};
+use volver::real::{Format, Mpfr};
 use volver::reference::{NotEnclosed, ReferenceError, enclosed_radiance, optical_depth, radiance};
 use volver::symbolic::{Expr, Interval, Program};
 
@@ -280,6 +281,49 @@ fn what_has_no_bound_is_an_estimate_and_says_why() {
     let sampled = Sampled;
     let found = radiance(&sampled, 64).unwrap();
     assert_eq!(found.not_enclosed, Some(NotEnclosed::NoFormulas));
+}
+
+/// The formulas of a case in Rust against its code: the closed forms at the end, the medium within.
+fn formulas_are_the_code<C: Case>(case: &C) {
+    let format = Mpfr { bits: 400 };
+    let name = case.name();
+    let end = format.ratio(&case.length());
+    let found = radiance(case, 300).unwrap();
+    assert!(found.is_enclosed(), "{name}");
+    let code: Float = case.radiance(&end).unwrap().into();
+    assert!(distance(&found.value, &code) < 1e-85, "{name}");
+    let found = optical_depth(case, 300).unwrap();
+    let code: Float = case.optical_depth(&end).unwrap().into();
+    assert!(
+        found.is_enclosed() && distance(&found.value, &code) < 1e-85,
+        "{name}"
+    );
+    let program = case.integrand().unwrap();
+    for tenth in 0..=10 {
+        let place = format.ratio(&(case.length() * Rational::from((tenth, 10))));
+        let code = case.transfer(&case.field(&place));
+        let mut outputs = [Vec::new(), Vec::new()];
+        program.bind(format).run(&[&[place]], &mut outputs);
+        for (output, code) in outputs.iter().zip([code.emission, code.extinction]) {
+            let (formula, code): (Float, Float) = (output[0].clone().into(), code.into());
+            assert!(distance(&formula, &code) < 1e-110, "{name} at {tenth}/10");
+        }
+    }
+    let enclosed = enclosed_radiance(case, 300).unwrap();
+    let code: Float = case.radiance(&end).unwrap().into();
+    assert!(distance(&enclosed.value, &code) < 1e-85, "{name}");
+}
+
+#[test]
+fn cases_in_rust_have_formulas_that_are_their_code() {
+    formulas_are_the_code(&SineSquared);
+    formulas_are_the_code(&Reciprocal);
+    formulas_are_the_code(&ReciprocalSquare);
+    formulas_are_the_code(&HomogeneousSlab {
+        length: Rational::from((5, 3)),
+        extinction: Rational::from((7, 4)),
+        emission: Rational::from((2, 9)),
+    });
 }
 
 /// A medium that is code.
