@@ -1,10 +1,11 @@
 //! What is not proved of a case.
 
-use serde::Serialize;
+use serde::{Deserialize, Serialize};
 use std::fmt;
 
 /// A statement that a case rests on and that is not proved.
-#[derive(Clone, Debug, PartialEq, Eq, Serialize)]
+#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
 pub struct Unproved {
     /// The statement: "tau defined".
     pub claim: String,

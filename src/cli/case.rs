@@ -32,6 +32,18 @@ enum Source<'a> {
     File(&'a str),
 }
 
+/// Finds, reads, derives and checks the case that `argument` names, for a command that needs a medium: what is none
+/// is wrong input.
+pub(crate) fn medium(argument: &str) -> Result<Derived, Failure> {
+    match load(argument) {
+        Err(Failure::Refuted { path, error }) if error.is_of_medium() => Err(Failure::Content {
+            path,
+            error: anyhow::Error::new(*error),
+        }),
+        loaded => loaded,
+    }
+}
+
 /// Finds, reads, derives and checks the case that `argument` names.
 pub(crate) fn load(argument: &str) -> Result<Derived, Failure> {
     let description = match source(argument)? {

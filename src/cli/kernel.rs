@@ -156,7 +156,7 @@ fn loaded(asked: &[String]) -> Result<Vec<Subject>, Failure> {
         catalogue::names().for_each(&mut add);
     }
     let subject = |argument: &String| {
-        let loaded = case::load(argument)?;
+        let loaded = case::medium(argument)?;
         let channels = loaded.cases.into_iter().map(|one| (one.channel, one.case));
         Subject::new(&loaded.description.name, channels.collect())
             .map_err(|error| Failure::Usage(format!("{argument}: {error}")))

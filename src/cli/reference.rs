@@ -91,7 +91,7 @@ fn digits(text: &str) -> Result<u32, String> {
 
 impl ReferenceValue {
     pub(crate) fn run(self) -> Result<Outcome, Failure> {
-        let loaded = case::load(&self.case)?;
+        let loaded = case::medium(&self.case)?;
         self.budget(&loaded.cases).check(self.yes)?;
         let found: Result<Vec<Found<'_>>, ReferenceError> = waiting("integrating", || {
             loaded

@@ -135,14 +135,8 @@ impl Study {
             .iter()
             .map(|(_, case)| case.length().to_f64())
             .collect();
-        let unproved = sweep.cases.iter().flat_map(|(name, case)| {
-            let of_case = case.unproved().iter().cloned();
-            of_case.map(|unproved| (name.clone(), unproved))
-        });
-        let unproved = unproved.collect();
         let units = self.units(&sweep, &header, threads, &estimate)?;
         let results = Results::new(header, bits, units, &lengths, &swept).map_err(said)?;
-        let results = results.with_unproved(unproved);
         self.hand_out(&results)?;
         let contradicts = |line: &Line| !line.swept && line.contradicts_theory();
         Ok(if results.lines.iter().any(contradicts) {

@@ -16,7 +16,7 @@ pub use enclosure::NotEnclosed;
 pub use error::ReferenceError;
 pub use spectral::Work;
 
-use crate::case::Case;
+use crate::case::{Case, SymbolicCase, Unproved};
 use crate::real::{MAX_BITS, MIN_BITS};
 use crate::symbolic::Interval;
 use chebyshev::log2_abs;
@@ -90,6 +90,17 @@ impl Reference {
     #[must_use]
     pub fn is_enclosed(&self) -> bool {
         self.not_enclosed.is_none()
+    }
+
+    /// What I(D) of that case rests on and is not proved: statements of the case, and the integral where it is an
+    /// estimate.
+    #[must_use]
+    pub fn unproved(&self, case: &SymbolicCase) -> Vec<Unproved> {
+        let estimate = self.not_enclosed.iter().map(|reason| Unproved {
+            claim: "I(D)".into(),
+            reason: format!("an estimate: {reason}"),
+        });
+        case.unproved().iter().cloned().chain(estimate).collect()
     }
 
     /// The significant decimal digits that the error leaves: −log₁₀ of the relative error, rounded down; `None` for a

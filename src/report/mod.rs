@@ -48,6 +48,7 @@ pub mod stress;
 pub mod study;
 #[cfg(feature = "studies")]
 pub mod tradeoff;
+mod unproved;
 pub mod verify;
 
 pub use crate::render::ReportError;

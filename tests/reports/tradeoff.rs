@@ -35,6 +35,7 @@ fn unit(case: &str, points: Vec<Point>) -> Unit {
         format: FormatName::F32,
         bits: 24,
         radiance: Float::with_val(64, 2),
+        unproved: Vec::new(),
         points,
         calibration: None,
     }

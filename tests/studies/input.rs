@@ -178,3 +178,51 @@ fn text_that_is_none_is_named_with_the_place() {
         "{folder}"
     );
 }
+
+/// A command that wants a medium is told where there is none, and takes nothing for checked; `manufacture` checks.
+#[test]
+fn what_is_no_medium_is_wrong_input() {
+    let folder = tempfile::tempdir().unwrap();
+    let write = |name: &str, text: &str| {
+        let text = format!("name = 'a'\nlength = 1\n{text}\n");
+        fs::write(folder.path().join(name), text).unwrap();
+    };
+    write("pole.toml", "extinction = '1/(s - 1/3)^2'\nemission = '1'");
+    write("half.toml", "extinction = '1'\nemission = 'sqrt(s - 1/4)'");
+    write("gain.toml", "extinction = '1/2 - s'\nemission = '1'");
+    write("claim.toml", "depth = 'lambda'\nradiance = '1 + lambda'");
+    let pole = "pole.toml: tau defined fails at lambda = 1/3 (allowed: an extinction with a finite \
+        value everywhere on the ray)";
+    let claim = "claim.toml: verification failed: I(0) = 0 fails at lambda = 0";
+    for (arguments, code, said) in [
+        ("reference pole.toml", 2, pole),
+        ("study --cases pole.toml", 2, pole),
+        ("tradeoff --cases pole.toml", 2, pole),
+        ("verify --cases pole.toml method:tree/middle/expm1", 2, pole),
+        (
+            "reference half.toml",
+            2,
+            "half.toml: C defined fails at lambda = ",
+        ),
+        (
+            "reference gain.toml",
+            2,
+            "gain.toml: tau >= 0 fails at lambda = ",
+        ),
+        ("reference claim.toml", 1, claim),
+        (
+            "manufacture pole.toml",
+            1,
+            "pole.toml: verification failed: tau defined fails",
+        ),
+    ] {
+        assert_cmd::cargo::cargo_bin_cmd!("volver")
+            .args(arguments.split(' '))
+            .current_dir(folder.path())
+            .assert()
+            .code(code)
+            .stdout("")
+            .stderr(contains(said))
+            .stderr(predicate::function(|text: &str| text.lines().count() == 1));
+    }
+}

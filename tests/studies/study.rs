@@ -732,3 +732,34 @@ fn what_is_not_proved_of_a_case_is_named() {
     assert_eq!(document["unproved"][0]["case"], "open");
     assert_eq!(document["unproved"][0]["claim"], "C defined");
 }
+
+/// s ln s has no bound near 0 in the complex plane: the integral is no ball, and the run says so, also where it goes on.
+#[test]
+fn a_radiance_that_is_an_estimate_is_named_as_one() {
+    let directory = tempfile::tempdir().unwrap();
+    let file = directory.path().join("open.toml");
+    let text = "name = \"open\"\nlength = 1\nextinction = \"1\"\n\
+        emission = \"1 + s*ln(s + piecewise(s <= 0, 1, 0))\"\n";
+    fs::write(&file, text).unwrap();
+    let out = directory.path().join("out");
+    let run = |more: &[&str]| {
+        let mut command = volver(&["--cases"]);
+        command
+            .arg(&file)
+            .args(["--methods", "trapezoid/trapezoid", "--formats", "f32,f64"])
+            .args(["--levels", "8..64", "--json", "-", "--out"])
+            .arg(&out)
+            .args(more);
+        let text = String::from_utf8(command.output().unwrap().stdout).unwrap();
+        serde_json::from_str::<Value>(&text).unwrap()
+    };
+    let first = run(&[]);
+    let unproved = first["unproved"].as_array().unwrap();
+    let estimates: Vec<&Value> = unproved.iter().filter(|o| o["claim"] == "I(D)").collect();
+    assert_eq!(estimates.len(), 1, "{unproved:?}");
+    let reason = estimates[0]["reason"].as_str().unwrap();
+    assert!(reason.starts_with("an estimate: no bound"), "{reason}");
+    let page = fs::read_to_string(out.join("study.md")).unwrap();
+    assert!(page.contains("I(D): an estimate: no bound"), "{page}");
+    assert_eq!(run(&["--resume"])["unproved"], first["unproved"]);
+}

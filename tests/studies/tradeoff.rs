@@ -137,6 +137,32 @@ fn a_directory_gets_every_report_and_a_journal() {
     assert_eq!(read("tradeoff.json"), before);
 }
 
+/// s ln s has no bound near 0 in the complex plane: errors are against an estimate.
+#[test]
+fn a_radiance_that_is_an_estimate_is_named_as_one() {
+    let directory = tempfile::tempdir().unwrap();
+    let file = directory.path().join("open.toml");
+    let text = "name = \"open\"\nlength = 1\nextinction = \"1\"\n\
+        emission = \"1 + s*ln(s + piecewise(s <= 0, 1, 0))\"\n";
+    fs::write(&file, text).unwrap();
+    let run = |more: &[&str]| {
+        let mut command = volver(&["--cost", "evaluations", "--formats", "f64"]);
+        command
+            .args(["--methods", "trapezoid/trapezoid", "--levels", "8..64"])
+            .arg("--cases")
+            .arg(&file)
+            .args(more);
+        String::from_utf8(command.output().unwrap().stdout).unwrap()
+    };
+    let text = run(&[]);
+    assert!(text.contains("open, I(D): an estimate: no bound"), "{text}");
+    let document: Value = serde_json::from_str(&run(&["--json", "-"])).unwrap();
+    let unproved = document["cases"][0]["unproved"].as_array().unwrap();
+    assert!(unproved.iter().any(|open| open["claim"] == "I(D)"));
+    let proved: Value = serde_json::from_str(&output(&small(&["--json", "-"]))).unwrap();
+    assert!(proved["cases"][0].get("unproved").is_none());
+}
+
 #[test]
 fn times_are_there_where_they_are_asked_for() {
     let text = output(&[

@@ -73,3 +73,11 @@ pub enum ManufactureError {
     #[error(transparent)]
     Compile(#[from] CompileError),
 }
+
+impl ManufactureError {
+    /// Whether C and τ as they are given are no medium, whatever else is claimed.
+    #[must_use]
+    pub fn is_of_medium(&self) -> bool {
+        matches!(self, ManufactureError::Refuted { statement, .. } if statement.is_of_medium())
+    }
+}

@@ -54,6 +54,13 @@ impl Statement {
         )
     }
 
+    /// Whether it is of C and τ as they are given, and of no depth or radiance claimed beside them: without it there is
+    /// no medium.
+    #[must_use]
+    pub fn is_of_medium(self) -> bool {
+        self == Statement::ExtinctionNonNegative || self.is_asked_by_theorems()
+    }
+
     /// Whether theorems on orders of accuracy ask for it.
     #[must_use]
     pub fn is_asked_by_theorems(self) -> bool {

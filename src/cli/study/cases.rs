@@ -75,7 +75,7 @@ fn argument(asked: &Asked) -> String {
 }
 
 fn load(wanted: &Wanted) -> Result<Vec<SymbolicCase>, Failure> {
-    let loaded = case::load(&wanted.argument).map_err(|failure| match failure {
+    let loaded = case::medium(&wanted.argument).map_err(|failure| match failure {
         Failure::Usage(why) => wanted.asked.refused(why),
         other => other,
     })?;

@@ -7,7 +7,7 @@ use super::trace::{Ray, Traced};
 use crate::case::{AnyNodes, Case, Nodes, Replayed, Shared};
 use crate::method::{Level, Method, MethodError};
 use crate::real::{Mpfr, MpfrReal};
-use crate::reference::{self, ReferenceError};
+use crate::reference::{self, Reference, ReferenceError};
 use rug::{Float, Rational};
 use std::borrow::Cow;
 use std::collections::BTreeMap;
@@ -29,7 +29,7 @@ pub struct Oracle<'c, C: Case> {
     methods: Vec<Method>,
     /// Formats with a jump between neighbours may see another medium than MPFR does.
     has_jumps: bool,
-    radiances: Kept<u32, Result<Float, ReferenceError>>,
+    references: Kept<u32, Result<Reference, ReferenceError>>,
     nodes: Kept<u32, Shared<'c, C, Mpfr>>,
     rows: Kept<(u32, u64), Vec<Result<Exact, MethodError>>>,
 }
@@ -48,7 +48,7 @@ impl<'c, C: Case> Oracle<'c, C> {
             has_jumps: breaks
                 .iter()
                 .any(|b| jumps(&b.extinction) || jumps(&b.source)),
-            radiances: Mutex::default(),
+            references: Mutex::default(),
             nodes: Mutex::default(),
             rows: Mutex::default(),
         }
@@ -81,10 +81,15 @@ impl<'c, C: Case> Oracle<'c, C> {
     ///
     /// # Errors
     /// [`ReferenceError`] where there is no reference.
-    pub fn radiance(&self, bits: u32) -> Result<Float, ReferenceError> {
-        let slot = slot(&self.radiances, bits);
-        slot.get_or_init(|| reference::radiance(self.case, bits).map(|r| r.value))
+    pub fn reference(&self, bits: u32) -> Result<Reference, ReferenceError> {
+        let slot = slot(&self.references, bits);
+        slot.get_or_init(|| reference::radiance(self.case, bits))
             .clone()
+    }
+
+    /// Its value.
+    fn radiance(&self, bits: u32) -> Result<Float, ReferenceError> {
+        Ok(self.reference(bits)?.value)
     }
 
     /// The error of every method at n segments in the format of `nodes`, which must be of the same case, and

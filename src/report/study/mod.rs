@@ -11,7 +11,7 @@ pub use parts::of_split;
 
 use super::counts::counts;
 use super::names::FileNames;
-use crate::case::Unproved;
+use super::unproved::not_proved;
 use crate::convergence::Fit;
 use crate::document::{
     About, Block, Cell, Column, Conclusion, Document, Fact, Figure, Finding, Medium, Section,
@@ -65,13 +65,8 @@ pub fn document(results: &Results, about: &About) -> Document {
 
 /// What the cases rest on and is not proved.
 fn unproved(results: &Results) -> Option<Section> {
-    let said = |(case, open): &(String, Unproved)| {
-        Block::Finding(Finding {
-            tone: Some(Tone::Open),
-            ..Finding::new("not proved", format!("{case}, {open}"))
-        })
-    };
-    let said: Vec<Block> = results.unproved.iter().map(said).collect();
+    let open = results.unproved.iter();
+    let said: Vec<Block> = open.map(|(case, open)| not_proved(case, open)).collect();
     (!said.is_empty()).then(|| Section::of("not-proved", "Not proved", said))
 }
 

@@ -1,5 +1,6 @@
 //! Everything, for programs.
 
+use crate::case::Unproved;
 use crate::report::ReportError;
 use crate::study::tradeoff::{
     Agreement, Calibration, Cost, Goal, Point, Results, Standing, Unit, agreement, clock_name,
@@ -43,6 +44,8 @@ struct AgreementOf {
 struct CaseOf<'a> {
     case: &'a str,
     radiance: String,
+    #[serde(skip_serializing_if = "<[_]>::is_empty")]
+    unproved: &'a [Unproved],
     /// Errors are parts of |I|.
     relative: bool,
     cheapest: Vec<GoalOf>,
@@ -121,6 +124,7 @@ fn cases(results: &Results) -> Vec<CaseOf<'_>> {
         .map(|case| CaseOf {
             case: &case.name,
             radiance: case.radiance.to_string_radix(10, Some(20)),
+            unproved: &case.unproved,
             relative: case.is_relative(),
             cheapest: case.goals(results.cost).iter().map(GoalOf::of).collect(),
             front: case.front(results.cost).into_iter().map(place).collect(),

@@ -9,6 +9,7 @@ mod words;
 pub use json::json;
 
 use super::names::FileNames;
+use super::unproved::not_proved;
 use crate::document::{
     About, Block, Cell, Column, Document, Fact, Figure, Finding, Medium, Section, Table, Tone,
 };
@@ -113,6 +114,9 @@ fn section(case: &CaseResults, cost: Cost, file: String) -> Section {
         let finding = Finding::new("", unreached).toned(Tone::Open);
         section.blocks.push(Block::Finding(finding));
     }
+    let open = case.unproved.iter();
+    let open = open.map(|open| not_proved(&case.name, open));
+    section.blocks.extend(open);
     section
         .blocks
         .push(Block::Text("The front:".into()).only(Medium::Markdown));

@@ -15,9 +15,10 @@ pub use rows::{heading, row};
 
 #[cfg(feature = "studies")]
 use super::plots;
+use super::unproved::not_proved;
 use crate::diagnosis::Fingerprint;
 use crate::document::{
-    self, About, Block, Cell, Column, Document, Fact, Finding, Medium, Section, Table, Tone,
+    self, About, Block, Cell, Column, Document, Fact, Medium, Section, Table, Tone,
 };
 use crate::method::Expected;
 #[cfg(feature = "studies")]
@@ -127,11 +128,8 @@ fn said_by_values(verification: &Verification) -> Vec<Block> {
 /// What channels rest on and is not proved.
 fn unproved(lines: &[Line]) -> impl Iterator<Item = Block> {
     lines.iter().flat_map(|line| {
-        let said = |open| Finding {
-            tone: Some(Tone::Open),
-            ..Finding::new("not proved", format!("{}, {open}", line.name))
-        };
-        line.unproved.iter().map(said).map(Block::Finding)
+        let open = line.unproved.iter();
+        open.map(|open| not_proved(&line.name, open))
     })
 }
 

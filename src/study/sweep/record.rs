@@ -1,6 +1,7 @@
 //! What is kept of a study: one line a unit, everything else follows from it.
 
 use super::{Sweep, number};
+use crate::case::Unproved;
 use crate::convergence::{Cell, Split};
 use crate::method::{Expected, Method};
 use rug::Float;
@@ -67,6 +68,9 @@ pub struct Unit {
     /// I.
     #[serde(with = "number")]
     pub radiance: Float,
+    /// What I rests on and is not proved.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub unproved: Vec<Unproved>,
     /// How often the medium was evaluated in the format.
     pub evaluations: u64,
     /// The methods, in the order of the header.

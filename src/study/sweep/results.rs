@@ -55,7 +55,15 @@ impl Results {
         swept: &[bool],
     ) -> Result<Results, FitError> {
         let mut lines = Vec::new();
+        let mut unproved: Vec<(String, Unproved)> = Vec::new();
         for unit in units {
+            for open in &unit.unproved {
+                // Every format of a case has the same.
+                let open = (unit.case.clone(), open.clone());
+                if !unproved.contains(&open) {
+                    unproved.push(open);
+                }
+            }
             let case = header
                 .cases
                 .iter()
@@ -79,14 +87,8 @@ impl Results {
             header,
             sweep_bits,
             lines,
-            unproved: Vec::new(),
+            unproved,
         })
-    }
-
-    /// With what is not proved of the cases, each by its name.
-    #[must_use]
-    pub fn with_unproved(self, unproved: Vec<(String, Unproved)>) -> Results {
-        Results { unproved, ..self }
     }
 
     /// Every case with every method, with the lines of all formats but those of the sweep.

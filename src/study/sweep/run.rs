@@ -158,14 +158,21 @@ impl WithFormat for OneUnit<'_, '_> {
     fn run<F: Format>(self, format: F) -> Unit {
         let nodes = Shared::new(self.oracle.case(), format);
         let rows = self.rows(&|n| self.oracle.split(&nodes, n));
-        let radiance = self.oracle.radiance(RADIANCE_BITS);
+        let reference = self.oracle.reference(RADIANCE_BITS);
+        let (radiance, unproved) = match reference {
+            Ok(reference) => {
+                let unproved = reference.unproved(self.oracle.case());
+                (reference.value, unproved)
+            }
+            // Each level says why.
+            Err(_) => (Float::with_val(RADIANCE_BITS, Special::Nan), Vec::new()),
+        };
         Unit {
             case: self.name.into(),
             format: self.format.to_string(),
             bits: format.bits(),
-            radiance: number::rounded(
-                &radiance.unwrap_or_else(|_| Float::with_val(RADIANCE_BITS, Special::Nan)),
-            ),
+            radiance: number::rounded(&radiance),
+            unproved,
             rows,
             evaluations: nodes.evaluations(),
         }

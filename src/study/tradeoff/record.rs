@@ -1,6 +1,7 @@
 //! What is kept of each run.
 
 use super::{Calibration, Timing};
+use crate::case::Unproved;
 use crate::convergence::serialize_float;
 use crate::method::Method;
 use crate::real::Counts;
@@ -103,6 +104,9 @@ pub struct Unit {
     /// I.
     #[serde(serialize_with = "serialize_float")]
     pub radiance: Float,
+    /// What I rests on and is not proved.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    pub unproved: Vec<Unproved>,
     /// By method, then by n.
     pub points: Vec<Point>,
     /// What operations cost in this format here.

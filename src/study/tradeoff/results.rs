@@ -1,6 +1,7 @@
 //! What every report is made of.
 
 use super::{Cost, Goal, Point, Unit, cheapest, front};
+use crate::case::Unproved;
 use crate::study::sweep::Header;
 use rug::Float;
 
@@ -24,6 +25,8 @@ pub struct CaseResults {
     pub name: String,
     /// I.
     pub radiance: Float,
+    /// What I rests on and is not proved.
+    pub unproved: Vec<Unproved>,
     /// By format.
     pub units: Vec<Unit>,
 }
@@ -39,6 +42,7 @@ impl Results {
                 None => cases.push(CaseResults {
                     name: unit.case.clone(),
                     radiance: unit.radiance.clone(),
+                    unproved: unit.unproved.clone(),
                     units: vec![unit],
                 }),
             }

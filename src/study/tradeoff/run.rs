@@ -201,6 +201,7 @@ impl WithFormat for OneUnit<'_> {
             format: self.part.format,
             bits: format.bits(),
             radiance: Float::with_val(ERROR_BITS, &self.truth.value),
+            unproved: self.truth.unproved(self.case),
             points,
             calibration,
         }

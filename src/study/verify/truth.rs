@@ -25,11 +25,7 @@ pub(super) fn of_case(
         error,
     };
     let found = reference::radiance(case, bits).map_err(failed)?;
-    let mut unproved = case.unproved().to_vec();
-    unproved.extend(found.not_enclosed.as_ref().map(|reason| Unproved {
-        claim: "I(D)".into(),
-        reason: format!("an estimate: {reason}"),
-    }));
+    let unproved = found.unproved(case);
     let mut radiance = found.value;
     if far_wall {
         let depth = reference::optical_depth(case, bits).map_err(failed)?.value;

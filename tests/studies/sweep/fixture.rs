@@ -52,6 +52,7 @@ pub(crate) fn unit(format: &str, bits: u32) -> Unit {
         format: format.into(),
         bits,
         radiance: Float::with_val(80, 1),
+        unproved: Vec::new(),
         evaluations: 0,
         rows: vec![Row {
             method: "a × b".into(),

@@ -79,6 +79,7 @@ fn unit(format: FormatName, bits: u32, points: Vec<Point>) -> Unit {
         format,
         bits,
         radiance: float(1.0),
+        unproved: Vec::new(),
         points,
         calibration: None,
     }
