@@ -91,6 +91,11 @@ typedef struct volver_declaration {
   int32_t stochastic;
   /* Not 0: the last segment is taken to be opaque, as with a length of 1e10. 0. */
   int32_t far_wall;
+  /* Not 0: it works where the step divides the ray, and is asked nothing else. 0. A later member than the first. */
+  int32_t step_divides;
+  /* It works on numbers of segments that are multiples of this, and is asked nothing else. 0: on any. A later
+   * member than the first. */
+  uint64_t multiple_of;
 } volver_declaration;
 
 /* The medium along the ray, as a function. */

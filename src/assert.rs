@@ -2,14 +2,13 @@
 
 use crate::case::catalogue;
 use crate::case::manufacture::{ManufactureError, manufacture};
-use crate::convergence::{Ladder, LadderError};
 use crate::document::About;
 use crate::kernel::{Kernel, Subject, SubjectError};
 use crate::render::terminal;
 use crate::report::verify::{document, heading, row};
 use crate::study::Silent;
 use crate::study::verify::{
-    Conclusion, Settings, SettingsError, Verification, VerifyError, verify,
+    Axis, Conclusion, Settings, SettingsError, Verification, VerifyError, verify,
 };
 use rug::Rational;
 use std::fmt;
@@ -47,8 +46,6 @@ pub enum OrderError {
     /// As before.
     Subject(#[from] SubjectError),
     /// As before.
-    Ladder(#[from] LadderError),
-    /// As before.
     Settings(#[from] SettingsError),
 }
 
@@ -69,7 +66,6 @@ impl fmt::Display for OrderError {
             OrderError::Verify(error) => error.fmt(f),
             OrderError::Case(error) => error.fmt(f),
             OrderError::Subject(error) => error.fmt(f),
-            OrderError::Ladder(error) => error.fmt(f),
             OrderError::Settings(error) => error.fmt(f),
         }
     }
@@ -95,7 +91,7 @@ pub fn confirm_order(kernel: &mut dyn Kernel, order: f64) -> Result<Verification
     }
     let settings = Settings {
         expect: Some(expect),
-        ..Settings::new(&Ladder::geometric(8, 2, 7)?)?
+        ..Settings::standard(Axis::Step)?
     };
     let verification = verify(kernel, &subjects, &settings, &Silent, &mut |_| ())?;
     match verification.conclusion() {

@@ -12,6 +12,7 @@ pub use fresh::Fresh;
 pub use recorded::{Recorded, Recording};
 pub use replayed::Replayed;
 pub use shared::Shared;
+pub(crate) use shared::gcd;
 
 use super::{PolynomialTransfer, Transfer};
 use crate::real::{Format, row};

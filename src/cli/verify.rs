@@ -13,7 +13,7 @@ use volver::kernel::{Kernel, Subject, process};
 use volver::render::terminal;
 use volver::report::verify::{document, heading, json, junit, row, write};
 use volver::study::verify::{
-    Axis, Baseline, Conclusion, Line, REPLICAS, Settings, SettingsError, Verification, verify,
+    Axis, Baseline, Conclusion, Line, REPLICAS, Settings, SettingsError, Steps, Verification, verify,
 };
 
 const EXAMPLES: &str = "\
@@ -42,13 +42,16 @@ pub(crate) struct Verify {
     /// Only these cases, by commas, repeatable [default: the whole catalogue]
     #[arg(long, value_name = "CASES", value_delimiter = ',')]
     cases: Vec<String>,
-    /// Numbers of segments [default: 8..1024]
+    /// Numbers of segments [default: 9,21,33,69,129,261,513,1029; of a grid 8..1024]
     #[arg(long, value_name = "LADDER", alias = "levels", value_parser = Ladder::from_str)]
     ladder: Option<Ladder>,
     /// What is refined: the step along the ray, or the grid of the volume
     #[arg(long, value_enum, default_value = "step", value_name = "AXIS")]
     axis: RefinedAxis,
-    /// Steps that divide no ray: 7/8 of D/n
+    /// Steps that divide the ray, d = D/n [default: the last segment is 3/10 of the others]
+    #[arg(long, conflicts_with = "uneven")]
+    divide: bool,
+    /// Steps of 7/8 D/n: the last segment is another part of the others at every level
     #[arg(long)]
     uneven: bool,
     /// The order to expect, in place of what the kernel declares
@@ -90,10 +93,10 @@ fn replicas(text: &str) -> Result<usize, SettingsError> {
 }
 
 /// A ladder as settings, or why not.
-fn settings(ladder: Option<&Ladder>) -> Result<Settings, Failure> {
+fn settings(ladder: Option<&Ladder>, axis: Axis) -> Result<Settings, Failure> {
     let settings = match ladder {
-        None => Settings::standard(),
-        Some(ladder) => Settings::new(ladder),
+        None => Settings::standard(axis),
+        Some(ladder) => Settings::new(ladder).map(|settings| Settings { axis, ..settings }),
     };
     settings.map_err(|error| Failure::Usage(format!("--ladder: {error}")))
 }
@@ -102,12 +105,16 @@ impl Verify {
     pub(crate) fn run(self) -> Result<Outcome, Failure> {
         let output = self.output();
         check_dashes(&output)?;
-        let mut settings = settings(self.ladder.as_ref())?;
-        settings.axis = match self.axis {
+        let axis = match self.axis {
             RefinedAxis::Step => Axis::Step,
             RefinedAxis::Grid => Axis::Grid,
         };
-        settings.uneven = self.uneven;
+        let mut settings = settings(self.ladder.as_ref(), axis)?;
+        settings.steps = match (self.divide, self.uneven) {
+            (true, _) => Steps::Divide,
+            (false, true) => Steps::Uneven,
+            (false, false) => Steps::PartLast,
+        };
         settings.expect.clone_from(&self.expect);
         settings.replicas = self.replicas.unwrap_or(REPLICAS);
         let at_once = self.kernel.at_once()?;

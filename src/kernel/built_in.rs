@@ -5,6 +5,7 @@ use crate::case::{Fresh, SymbolicCase};
 use crate::method::{Inner, Method, MethodError, Nested};
 use crate::real::{Format, FormatName, Real, WithFormat};
 use rug::{Float, Rational};
+use std::num::NonZeroU64;
 
 /// Rules take segments in groups of up to so many.
 const LARGEST_GROUP: usize = 16;
@@ -26,6 +27,8 @@ impl BuiltIn {
             method: Some(method),
             format,
             stochastic: is_random(&method),
+            step_divides: true,
+            multiple_of: NonZeroU64::new(suitable(&method, 1)).unwrap_or(NonZeroU64::MIN),
             ..Declaration::new(&format!("method:{}@{format}", method.name()))
         };
         BuiltIn {
@@ -35,13 +38,11 @@ impl BuiltIn {
     }
 }
 
-impl BuiltIn {
-    /// The next number of segments that suits the method: some rules take groups of them.
-    fn suitable(&self, segments: u64) -> u64 {
-        let mut further = (segments..).take(LARGEST_GROUP);
-        let suits = |n: &u64| self.method.check_segments(*n).is_ok();
-        further.find(suits).unwrap_or(segments)
-    }
+/// The next number of segments that suits a method: some rules take groups of them.
+fn suitable(method: &Method, segments: u64) -> u64 {
+    let mut further = (segments..).take(LARGEST_GROUP);
+    let suits = |n: &u64| method.check_segments(*n).is_ok();
+    further.find(suits).unwrap_or(segments)
 }
 
 impl Kernel for BuiltIn {
@@ -51,7 +52,7 @@ impl Kernel for BuiltIn {
 
     fn render(&mut self, task: &Task<'_>) -> Result<Rendering, KernelError> {
         let format = self.declaration.format;
-        let segments = self.suitable(task.segments);
+        let segments = suitable(&self.method, task.segments);
         let method = seeded(self.method, task.seed);
         let run = |case| radiance_in(format, &method, case, segments);
         let radiance: Result<Vec<Float>, MethodError> =

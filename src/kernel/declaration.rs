@@ -4,6 +4,7 @@ use super::FormKind;
 use crate::method::{Expected, Method, Position};
 use crate::real::FormatName;
 use std::fmt;
+use std::num::NonZeroU64;
 use std::str::FromStr;
 
 /// What a kernel claims to compute, and in what it answers. What it leaves out is found out, or taken from the
@@ -28,6 +29,10 @@ pub struct Declaration {
     pub stochastic: bool,
     /// Where it samples a segment, where the method does not say.
     pub sampling: Option<Sampling>,
+    /// It works where the step divides the ray, and is asked nothing else.
+    pub step_divides: bool,
+    /// It works on numbers of segments that are multiples of this, and is asked nothing else.
+    pub multiple_of: NonZeroU64,
     /// It takes the last segment to be opaque, as with a length of 1e10: a wall of the last sample's emission
     /// stands at the end of the ray.
     pub far_wall: bool,
@@ -47,6 +52,8 @@ impl Declaration {
             quantum: None,
             stochastic: false,
             sampling: None,
+            step_divides: false,
+            multiple_of: NonZeroU64::MIN,
             far_wall: false,
         }
     }

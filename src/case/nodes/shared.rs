@@ -153,7 +153,7 @@ fn in_lowest_terms((numerator, denominator): (u64, u64)) -> (u64, u64) {
 }
 
 /// The greatest common divisor; of 0 and b it is b.
-fn gcd(mut a: u64, mut b: u64) -> u64 {
+pub(crate) fn gcd(mut a: u64, mut b: u64) -> u64 {
     while b != 0 {
         (a, b) = (b, a % b);
     }

@@ -50,6 +50,8 @@ struct RawDeclaration {
     quantum: f64,
     stochastic: i32,
     far_wall: i32,
+    step_divides: i32,
+    multiple_of: u64,
 }
 
 /// `volver_medium`.
@@ -166,6 +168,8 @@ impl Functions {
             quantum: 0.0,
             stochastic: 0,
             far_wall: 0,
+            step_divides: 0,
+            multiple_of: 0,
         };
         // SAFETY: the struct has the header's layout and lives through the call.
         unsafe { (self.declare)(&raw mut raw) };
@@ -181,6 +185,8 @@ impl Functions {
                 quantum: raw.quantum,
                 stochastic: raw.stochastic != 0,
                 far_wall: raw.far_wall != 0,
+                step_divides: raw.step_divides != 0,
+                multiple_of: raw.multiple_of,
             })
         }
     }

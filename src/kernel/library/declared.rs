@@ -1,6 +1,7 @@
 //! What a library declares, as it says it.
 
 use crate::kernel::{Declaration, FormKind};
+use std::num::NonZeroU64;
 use std::str::FromStr;
 
 /// `volver_declaration`, with its strings.
@@ -15,6 +16,9 @@ pub(super) struct Declared {
     pub(super) quantum: f64,
     pub(super) stochastic: bool,
     pub(super) far_wall: bool,
+    pub(super) step_divides: bool,
+    /// 0 for any.
+    pub(super) multiple_of: u64,
 }
 
 impl Declared {
@@ -55,6 +59,8 @@ impl Declared {
             stochastic: self.stochastic,
             sampling: parsed(self.sampling)?,
             far_wall: self.far_wall,
+            step_divides: self.step_divides,
+            multiple_of: NonZeroU64::new(self.multiple_of).unwrap_or(NonZeroU64::MIN),
             ..declaration
         })
     }

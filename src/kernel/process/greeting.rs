@@ -1,7 +1,7 @@
 //! What a kernel says of itself, and how it wants to be talked to.
 
 use super::VERSION;
-use super::message::{Arrays, Form, HelloTag, KernelHello, VolverHello, WireLanguage};
+use super::message::{Arrays, Form, HelloTag, KernelHello, VolverHello, WireLanguage, WireStep};
 use super::number::Number;
 use super::trouble::{Trouble, said};
 use super::written::Numbers;
@@ -10,6 +10,7 @@ use crate::real::FormatName;
 use crate::symbolic::code::Language;
 use serde_json::Value;
 use std::fmt::Display;
+use std::num::NonZeroU64;
 use std::str::FromStr;
 
 /// The longest name, in characters.
@@ -93,6 +94,10 @@ fn greeting(hello: KernelHello) -> Result<Greeting, String> {
         quantum: above_zero("quantum", hello.quantum)?,
         stochastic: hello.stochastic,
         sampling: hello.sampling.map(Into::into),
+        step_divides: hello.step.is_some_and(|WireStep::Divides| true),
+        multiple_of: hello
+            .segments
+            .map_or(NonZeroU64::MIN, |segments| segments.multiple_of),
         far_wall: hello.far_wall,
     };
     Ok(Greeting {
@@ -131,6 +136,8 @@ impl Greeting {
             ("quantum", a.quantum == b.quantum),
             ("stochastic", a.stochastic == b.stochastic),
             ("sampling", a.sampling == b.sampling),
+            ("step", a.step_divides == b.step_divides),
+            ("segments", a.multiple_of == b.multiple_of),
             ("far_wall", a.far_wall == b.far_wall),
             ("numbers", self.numbers == other.numbers),
             ("arrays", self.arrays == other.arrays),

@@ -7,6 +7,7 @@ use crate::kernel::Sampling;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 use serde_json::Value;
+use std::num::NonZeroU64;
 
 /// What a greeting says that it is.
 #[derive(Clone, Copy, Debug, Serialize, Deserialize)]
@@ -77,6 +78,10 @@ pub(super) struct KernelHello {
     pub(super) stochastic: bool,
     /// Where it samples a segment, where the method does not say.
     pub(super) sampling: Option<WireSampling>,
+    /// Which numbers of segments it works on; any unless given.
+    pub(super) segments: Option<WireSegments>,
+    /// `divides`: it works where the step divides the ray alone. Any step unless given.
+    pub(super) step: Option<WireStep>,
     /// It takes the last segment to be opaque: a wall of the last sample's emission stands at the end of the ray.
     #[serde(default)]
     pub(super) far_wall: bool,
@@ -118,6 +123,23 @@ pub(super) enum WireSampling {
     Back,
     Ends,
     Jittered,
+}
+
+/// Which numbers of segments a kernel works on.
+#[derive(Clone, Copy, Debug, Deserialize)]
+#[cfg_attr(feature = "studies", derive(JsonSchema), schemars(inline))]
+#[serde(deny_unknown_fields)]
+pub(super) struct WireSegments {
+    /// Multiples of this.
+    pub(super) multiple_of: NonZeroU64,
+}
+
+/// Which steps a kernel works with.
+#[derive(Clone, Copy, Debug, Deserialize)]
+#[cfg_attr(feature = "studies", derive(JsonSchema), schemars(inline))]
+#[serde(rename_all = "lowercase")]
+pub(super) enum WireStep {
+    Divides,
 }
 
 /// Where arrays stand.

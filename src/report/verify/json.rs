@@ -8,13 +8,14 @@ use crate::report::ReportError;
 use crate::study::verify::{Axis, Line, Measured, Verification};
 use rug::Float;
 use serde::Serialize;
+use std::num::NonZeroU64;
 
 #[derive(Serialize)]
 struct Document<'a> {
     volver: &'static str,
     kernel: Kernel<'a>,
     axis: &'static str,
-    uneven: bool,
+    steps: &'static str,
     ladder: &'a [u64],
     conclusion: &'static str,
     counts: Counts,
@@ -33,6 +34,8 @@ struct Kernel<'a> {
     quantum: Option<f64>,
     stochastic: bool,
     sampling: Option<String>,
+    step_divides: bool,
+    multiple_of: NonZeroU64,
     far_wall: bool,
 }
 
@@ -110,13 +113,15 @@ pub fn json(verification: &Verification) -> Result<String, ReportError> {
             quantum: declaration.quantum,
             stochastic: declaration.stochastic,
             sampling: declaration.claimed_sampling().map(|s| s.to_string()),
+            step_divides: declaration.step_divides,
+            multiple_of: declaration.multiple_of,
             far_wall: declaration.far_wall,
         },
         axis: match settings.axis {
             Axis::Step => "step",
             Axis::Grid => "grid",
         },
-        uneven: settings.uneven,
+        steps: settings.steps.name(),
         ladder: &settings.ladder,
         conclusion: verification.conclusion().name(),
         counts: Counts {

@@ -4,7 +4,9 @@ use super::deviates;
 use crate::diagnosis::{Match, Model};
 use crate::document::{Finding, Tone};
 use crate::method::Expected;
-use crate::study::verify::{Axis, Conclusion, Counts, Line, Measured, Standing, Verification};
+use crate::study::verify::{
+    Axis, Conclusion, Counts, Line, Measured, Standing, Steps, Verification,
+};
 
 /// What stands where there is no figure.
 const NONE: &str = "-";
@@ -264,8 +266,11 @@ pub(super) fn axis(verification: &Verification) -> String {
         _ => NONE.into(),
     };
     match settings.axis {
-        Axis::Step if settings.uneven => format!("n = {ladder}, d = ⅞ D/n divides no ray"),
-        Axis::Step => format!("n = {ladder}"),
+        Axis::Step => match settings.steps {
+            Steps::PartLast => format!("n = {ladder}, the last segment ³⁄₁₀ of the others"),
+            Steps::Divide => format!("n = {ladder}, d = D/n"),
+            Steps::Uneven => format!("n = {ladder}, d = ⅞ D/n divides no ray"),
+        },
         Axis::Grid => format!("cells of the grid = {ladder}"),
     }
 }

@@ -37,7 +37,7 @@ pub(super) struct Asked<'a> {
 pub(super) struct Answers {
     /// By level and seed.
     levels: Vec<Vec<Result<Rendering, KernelError>>>,
-    /// The coarsest level once more.
+    /// The cells_of_all level once more.
     again: Option<Result<Rendering, KernelError>>,
 }
 
@@ -62,7 +62,7 @@ impl<'a> Asked<'a> {
             case: subject.name().into(),
             error,
         };
-        let coarsest = settings.ladder.first().copied().unwrap_or(1);
+        let cells_of_all = settings.cells();
         let cuts = settings.cuts(subject.length()).into_iter();
         let level = |(cut, n): (Cut, &u64)| {
             let (step, count) = cut.on(subject.length())?;
@@ -70,7 +70,7 @@ impl<'a> Asked<'a> {
                 .then(|| subject.segments(cut))
                 .transpose()?;
             let cells = match settings.axis {
-                Axis::Step => coarsest,
+                Axis::Step => cells_of_all,
                 Axis::Grid => *n,
             };
             Ok(Level {
@@ -107,20 +107,21 @@ impl<'a> Asked<'a> {
             1
         };
         let mut levels = Vec::with_capacity(self.levels.len());
-        let mut again = None;
-        for (index, level) in self.levels.iter().enumerate() {
+        for level in &self.levels {
             let tasks: Vec<Task<'_>> = (0..seeds as u64)
                 .map(|seed| self.task(level, seed))
                 .collect();
             let answers = kernel.render_all(&tasks);
             let checked = answers.into_iter().map(|one| self.checked(level, one));
             levels.push(checked.collect());
-            if index == 0 && !stochastic {
-                let answer = kernel.render(&self.task(level, OTHER_SEED));
-                again = Some(self.checked(level, answer));
-            }
             progress.advance(level.count * seeds as u64);
         }
+        // After all others: what keeps an answer for the next request has another one by now.
+        let first = self.levels.first().filter(|_| !stochastic);
+        let again = first.map(|level| {
+            let answer = kernel.render(&self.task(level, OTHER_SEED));
+            self.checked(level, answer)
+        });
         Answers { levels, again }
     }
 

@@ -1,6 +1,6 @@
 //! What a kernel showed once, to compare with what it shows now.
 
-use super::{Axis, Line, Settings, SettingsError, Standing, Verification};
+use super::{Axis, Line, Settings, SettingsError, Standing, Steps, Verification};
 use crate::convergence::Ladder;
 use serde::{Deserialize, Serialize};
 use std::collections::BTreeSet;
@@ -23,8 +23,11 @@ pub struct Baseline {
     pub ladder: Vec<u64>,
     /// Whether the grid was refined, and not the step.
     pub grid: bool,
-    /// Whether steps divided no ray.
+    /// Whether steps divided no ray, and the last segment was another part of the others at every level.
     pub uneven: bool,
+    /// Whether steps divided the ray: so they did before they could do otherwise.
+    #[serde(default = "always")]
+    pub divides: bool,
     /// The order expected in place of the declared one.
     pub expect: Option<String>,
     /// Seeds a level, for kernels that draw random numbers.
@@ -84,6 +87,10 @@ pub enum BaselineError {
     },
 }
 
+fn always() -> bool {
+    true
+}
+
 /// Enough of a file to know its version: another one may have other keys.
 #[derive(Deserialize)]
 #[serde(expecting = "a baseline")]
@@ -129,7 +136,8 @@ impl Baseline {
             cases: cases.to_vec(),
             ladder: settings.ladder.clone(),
             grid: settings.axis == Axis::Grid,
-            uneven: settings.uneven,
+            uneven: settings.steps == Steps::Uneven,
+            divides: settings.steps == Steps::Divide,
             expect: settings.expect.as_ref().map(ToString::to_string),
             replicas: settings.replicas,
             fingerprint: best.map(|best| best.model.to_string()),
@@ -194,7 +202,11 @@ impl Baseline {
         let expect = self.expect.as_deref().map(Settings::order).transpose();
         Ok(Settings {
             axis: if self.grid { Axis::Grid } else { Axis::Step },
-            uneven: self.uneven,
+            steps: match (self.uneven, self.divides) {
+                (true, _) => Steps::Uneven,
+                (false, true) => Steps::Divide,
+                (false, false) => Steps::PartLast,
+            },
             expect: expect.map_err(wrong("expect"))?,
             replicas: Settings::replicas(self.replicas).map_err(wrong("replicas"))?,
             ..ladder.map_err(wrong("ladder"))?

@@ -1,6 +1,6 @@
 //! Which order a kernel has to show on a case.
 
-use super::{Axis, Settings};
+use super::{Axis, Settings, Steps};
 use crate::case::{Case, Structure, SymbolicCase};
 use crate::kernel::{Declaration, FormKind};
 use crate::method::{Expected, expected, expected_on};
@@ -39,8 +39,10 @@ pub(super) fn of(
         }
         // One sample stands for the wall, up to a step in front of it.
         (Some(_), _) if declaration.far_wall => Some(Expected::Order(1.0)),
-        (Some(method), _) if settings.uneven => Some(expected(&method, case)),
-        (Some(method), _) => Some(expected_on(&method, case, &settings.ladder)),
+        (Some(method), _) if settings.steps == Steps::Divide => {
+            Some(expected_on(&method, case, &settings.ladder))
+        }
+        (Some(method), _) => Some(expected(&method, case)),
         (None, Some(order)) => Some(general(order)),
         (None, None) => None,
     }

@@ -16,7 +16,7 @@ pub use baseline::{Baseline, BaselineError, BaselineLine, Moved};
 pub use explain::Finding;
 pub use line::{Failure, Line, Measured};
 pub use settings::{
-    Axis, GRID_SEGMENTS, MAX_REPLICAS, REPLICAS, Settings, SettingsError, TABLE_ENTRIES,
+    Axis, GRID_SEGMENTS, MAX_REPLICAS, REPLICAS, Settings, SettingsError, Steps, TABLE_ENTRIES,
 };
 pub use standing::{Counts, Standing};
 
@@ -113,6 +113,7 @@ pub fn verify(
 ) -> Result<Verification, VerifyError> {
     let declaration = kernel.declaration().clone();
     declaration.check()?;
+    let settings = &settings.suited(&declaration)?;
     let mut lines = Vec::new();
     let mut watched: Vec<Watched> = Vec::new();
     let mut unanswered = 0;
@@ -167,6 +168,9 @@ pub enum VerifyError {
     /// The kernel declares what cannot all be.
     #[error(transparent)]
     Declaration(#[from] DeclarationError),
+    /// The kernel takes what the ladder has not enough of.
+    #[error(transparent)]
+    Settings(#[from] SettingsError),
     /// The ray of a case cannot be cut so.
     #[error("{case}: {error}")]
     Cut {

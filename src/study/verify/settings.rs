@@ -1,6 +1,8 @@
 //! How a kernel is tested.
 
+use crate::case::nodes::gcd;
 use crate::convergence::{Ladder, LadderError, MIN_REPLICAS};
+use crate::diagnosis::Recipe;
 use crate::kernel::{Cut, Declaration, MAX_TASK_SEGMENTS, Subject};
 use crate::symbolic::parse_number;
 use rug::Rational;
@@ -17,8 +19,16 @@ pub const MAX_REPLICAS: usize = 10_000;
 const MAX_LEVEL: u64 = MAX_TASK_SEGMENTS / 2;
 /// The lowest order that can be expected, as 1/100, and the highest.
 const ORDERS: ((u32, u32), u32) = ((1, 100), 100);
-/// With uneven steps, d is that part of D/n: it divides no ray.
+/// Levels that say most of most cases. None is a multiple of 8, so that a loop without its tail shows, and all are 9
+/// more than a multiple of 12, so that breaks at halves, thirds and quarters of the ray stand at the same part of a
+/// segment at every level: errors keep one expansion.
+const LADDER: [u64; 8] = [9, 21, 33, 69, 129, 261, 513, 1029];
+/// The last segment, as a part of the others, where steps need not divide the ray.
+const LAST: (u32, u32) = (3, 10);
+/// With uneven steps, d is that part of D/n.
 const UNEVEN: (u32, u32) = (7, 8);
+/// Fewest levels that an order shows on.
+const MIN_LEVELS: usize = 4;
 
 /// What is refined.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
@@ -29,6 +39,29 @@ pub enum Axis {
     Grid,
 }
 
+/// How rays are cut at a level of n segments.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum Steps {
+    /// d = D/(n − 7/10): the last segment is 3/10 of the others at every level.
+    PartLast,
+    /// d = D/n.
+    Divide,
+    /// d = 7/8 D/n: the last segment is another part at every level.
+    Uneven,
+}
+
+impl Steps {
+    /// Its name, as in JSON.
+    #[must_use]
+    pub fn name(self) -> &'static str {
+        match self {
+            Steps::PartLast => "part-last",
+            Steps::Divide => "divide",
+            Steps::Uneven => "uneven",
+        }
+    }
+}
+
 /// How a kernel is tested.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Settings {
@@ -36,8 +69,8 @@ pub struct Settings {
     pub ladder: Vec<u64>,
     /// What is refined.
     pub axis: Axis,
-    /// Steps of 7/8 D/n, which do not divide the ray.
-    pub uneven: bool,
+    /// How rays are cut.
+    pub steps: Steps,
     /// The order to expect in place of what the kernel declares, as a rational.
     pub expect: Option<Rational>,
     /// Entries of tables.
@@ -61,6 +94,16 @@ pub enum SettingsError {
     /// Too few or too many replicas.
     #[error("no number of seeds (allowed: {MIN_REPLICAS} to {MAX_REPLICAS})")]
     Replicas,
+    /// A kernel that takes multiples of so many segments, and a ladder with too few of them.
+    #[error(
+        "a kernel that takes multiples of {multiple} segments, on which the ladder leaves {levels} (allowed: {MIN_LEVELS} or more levels)"
+    )]
+    Multiple {
+        /// Of how many.
+        multiple: u64,
+        /// Levels that are left.
+        levels: usize,
+    },
     /// No order.
     #[error("no order (allowed: 0.01 to 100, as 2, 1.5 or 3/2)")]
     Order,
@@ -70,15 +113,22 @@ pub enum SettingsError {
 }
 
 impl Settings {
-    /// The ladder that says most of most cases: n = 8, 16, …, 1024 by steps that divide the ray.
+    /// The ladder that says most of most cases: n = 9, 21, …, 1029 along the ray, and grids of 8, 16, …, 1024 cells.
     ///
     /// # Errors
-    /// None: the ladder is a good one.
-    pub fn standard() -> Result<Self, SettingsError> {
-        Settings::new(&Ladder::geometric(8, 2, 8)?)
+    /// None: the ladders are good ones.
+    pub fn standard(axis: Axis) -> Result<Self, SettingsError> {
+        let ladder = match axis {
+            Axis::Step => Ladder::segments(LADDER.to_vec())?,
+            Axis::Grid => Ladder::geometric(8, 2, 8)?,
+        };
+        Ok(Settings {
+            axis,
+            ..Settings::new(&ladder)?
+        })
     }
 
-    /// With that ladder, along the ray.
+    /// With that ladder, along the ray, the last segment a part of the others.
     ///
     /// # Errors
     /// [`SettingsError`] where the ladder is one of steps, or too fine.
@@ -90,7 +140,7 @@ impl Settings {
         Ok(Settings {
             ladder,
             axis: Axis::Step,
-            uneven: false,
+            steps: Steps::PartLast,
             expect: None,
             entries: TABLE_ENTRIES,
             replicas: REPLICAS,
@@ -119,6 +169,34 @@ impl Settings {
         count.ok_or(SettingsError::Replicas)
     }
 
+    /// With what that kernel can be asked: the numbers of segments that it takes, each the next to the one that was
+    /// wanted, and steps that divide the ray where it takes no others.
+    ///
+    /// # Errors
+    /// [`SettingsError::Multiple`], [`SettingsError::TooFine`].
+    pub fn suited(&self, declaration: &Declaration) -> Result<Settings, SettingsError> {
+        let mut suited = self.clone();
+        if self.axis == Axis::Grid {
+            return Ok(suited);
+        }
+        let takes_only_whole = declaration.step_divides
+            || declaration.method.is_some_and(|method| Recipe::of_method(&method).is_none());
+        if self.steps == Steps::PartLast && takes_only_whole {
+            suited.steps = Steps::Divide;
+        }
+        let multiple = declaration.multiple_of.get();
+        for n in &mut suited.ladder {
+            let next = n.checked_next_multiple_of(multiple);
+            *n = next.filter(|n| *n <= MAX_LEVEL).ok_or(SettingsError::TooFine { n: *n })?;
+        }
+        suited.ladder.dedup();
+        let levels = suited.ladder.len();
+        if levels < MIN_LEVELS.min(self.ladder.len()) {
+            return Err(SettingsError::Multiple { multiple, levels });
+        }
+        Ok(suited)
+    }
+
     /// Segments that a kernel renders in all: the units that progress is counted in.
     #[must_use]
     pub fn work(&self, subjects: &[Subject], declaration: &Declaration) -> u64 {
@@ -138,15 +216,38 @@ impl Settings {
             .fold(0, u64::saturating_add)
     }
 
+    /// Cells of the grid while the step along the ray is refined. Between them the medium has kinks, which stand at
+    /// the same part of a segment at every level: at its end where steps divide the ray.
+    pub(super) fn cells(&self) -> u64 {
+        let coarsest = self.ladder.first().copied().unwrap_or(1);
+        let shared = match self.steps {
+            Steps::Divide => self.ladder.iter().copied().fold(0, gcd),
+            Steps::PartLast => {
+                let differences = self.ladder.windows(2).map(|pair| pair[1] - pair[0]);
+                differences.fold(0, gcd)
+            }
+            Steps::Uneven => coarsest,
+        };
+        // One cell has no kink at all.
+        if shared > 1 { shared } else { coarsest }
+    }
+
     /// How a ray of that length is cut at every level.
     pub(super) fn cuts(&self, length: &Rational) -> Vec<Cut> {
         let cut = |n: &u64| match self.axis {
             Axis::Grid => Cut::Segments(GRID_SEGMENTS),
-            Axis::Step if self.uneven => {
-                let step = length * Rational::from(UNEVEN) / *n;
-                Cut::Step(step.to_f64())
-            }
-            Axis::Step => Cut::Segments(*n),
+            Axis::Step => match self.steps {
+                // A ray of one segment has no others.
+                Steps::PartLast if *n > 1 => {
+                    let others = Rational::from(LAST) + (*n - 1);
+                    Cut::Step((length / others).to_f64())
+                }
+                Steps::Uneven => {
+                    let step = length * Rational::from(UNEVEN) / *n;
+                    Cut::Step(step.to_f64())
+                }
+                Steps::PartLast | Steps::Divide => Cut::Segments(*n),
+            },
         };
         self.ladder.iter().map(cut).collect()
     }
