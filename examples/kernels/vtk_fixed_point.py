@@ -75,6 +75,8 @@ def main():
         "form": "volume",
         "order": 2 if middle else 1,
         "format": "fixed:15",
+        # The last sample counts for a whole step, wherever the ray ends.
+        "step": "divides",
         # Of emission up to 1; in proportion to its maximum.
         "quantum": 1 / ONE,
     }

@@ -96,6 +96,8 @@ def main():
         "order": 1,
         "format": "f32",
         "sampling": "back",
+        # The last sample counts for a whole step, wherever the ray ends.
+        "step": "divides",
     }
     serve(declaration, render)
 

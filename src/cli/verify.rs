@@ -13,7 +13,8 @@ use volver::kernel::{Kernel, Subject, process};
 use volver::render::terminal;
 use volver::report::verify::{document, heading, json, junit, row, write};
 use volver::study::verify::{
-    Axis, Baseline, Conclusion, Line, REPLICAS, Settings, SettingsError, Steps, Verification, verify,
+    Axis, Baseline, Conclusion, Line, REPLICAS, Settings, SettingsError, Steps, Verification,
+    verify,
 };
 
 const EXAMPLES: &str = "\

@@ -93,6 +93,22 @@ impl WatchedLevel {
 }
 
 impl Ray<f64> {
+    /// ∫ |C| τ e^(−t), roughly, where C has both signs, so that terms cancel; `None` where it has one.
+    #[must_use]
+    pub fn cancelling(&self) -> Option<f64> {
+        let is = |holds: &dyn Fn(f64) -> bool| self.middles.iter().any(|t| holds(t.emission));
+        if !is(&|c| c < 0.0) || !is(&|c| c > 0.0) {
+            return None;
+        }
+        let (mut sum, mut transmittance) = (0.0, 1.0);
+        for (transfer, length) in self.middles.iter().zip(&self.lengths) {
+            let passes = (-transfer.extinction * length).exp();
+            sum += transmittance * (1.0 - passes) * transfer.emission.abs();
+            transmittance *= passes;
+        }
+        Some(sum)
+    }
+
     /// The largest |C| that was given.
     #[must_use]
     pub fn largest_emission(&self) -> f64 {

@@ -9,7 +9,7 @@ use volver::case::manufacture::manufacture;
 use volver::convergence::Ladder;
 use volver::kernel::{Kernel, Subject};
 use volver::study::Silent;
-use volver::study::verify::{Settings, Verification, verify};
+use volver::study::verify::{Settings, Steps, Verification, verify};
 
 /// Thin and thick, faint and long, smooth and not, one of them beyond binary32's range: 25 channels.
 const CASES: [&str; 23] = [
@@ -51,6 +51,6 @@ fn subjects() -> Vec<Subject> {
 fn run(kernel: &mut dyn Kernel, subjects: &[Subject], ladder: &str, uneven: bool) -> Verification {
     let ladder: Ladder = ladder.parse().expect("a ladder");
     let mut settings = Settings::new(&ladder).unwrap();
-    settings.uneven = uneven;
+    settings.steps = if uneven { Steps::Uneven } else { Steps::Divide };
     verify(kernel, subjects, &settings, &Silent, &mut |_| ()).unwrap()
 }

@@ -2,6 +2,7 @@
 
 use rug::Float;
 use std::fs;
+use std::num::NonZeroU64;
 use std::path::{Path, PathBuf};
 use std::process::Command;
 use tempfile::TempDir;
@@ -176,6 +177,7 @@ fn everything_declared_arrives() {
         d->name = \"mine \\xc2\\xb5\"; d->form = \"function\";\n\
         d->method = \"front-to-back/back/expm1\"; d->format = \"f32\"; d->sampling = \"jittered\";\n\
         if (VOLVER_HAS(d, volver_declaration, far_wall)) d->far_wall = 1;\n\
+        if (VOLVER_HAS(d, volver_declaration, multiple_of)) d->multiple_of = 2, d->step_divides = 1;\n\
         d->order = 1.5; d->quantum = 1 / 256.0; d->stochastic = 1; }\n";
     let Some(kernel) = open(&format!("{code}{ANSWERS_NOTHING}")) else {
         return;
@@ -190,6 +192,8 @@ fn everything_declared_arrives() {
         stochastic: true,
         sampling: Some(Sampling::Jittered),
         far_wall: true,
+        step_divides: true,
+        multiple_of: NonZeroU64::new(2).unwrap(),
     };
     assert_eq!(*kernel.unwrap().declaration(), expected);
 }

@@ -1,6 +1,7 @@
 //! Verification as a library, on kernels that are right in one way and wrong in another.
 
 mod baseline;
+mod ladder;
 mod quantum;
 mod said;
 mod stochastic;
@@ -12,7 +13,7 @@ use volver::case::manufacture::manufacture;
 use volver::convergence::{Ladder, Sample};
 use volver::kernel::{Declaration, Kernel, Segments, Subject};
 use volver::study::Silent;
-use volver::study::verify::{Line, Measured, Settings, Standing, Verification, verify};
+use volver::study::verify::{Line, Measured, Settings, Standing, Steps, Verification, verify};
 
 /// Smooth cases in which nothing hides an error: thin and thick, short and long, with one channel and three.
 const SMOOTH: [&str; 8] = [
@@ -36,9 +37,13 @@ fn subjects(names: &[&str]) -> Vec<Subject> {
     names.iter().map(subject).collect()
 }
 
+/// By steps that divide the ray.
 fn settings(ladder: &str) -> Settings {
     let ladder: Ladder = ladder.parse().expect("a ladder");
-    Settings::new(&ladder).unwrap()
+    Settings {
+        steps: Steps::Divide,
+        ..Settings::new(&ladder).unwrap()
+    }
 }
 
 fn run(kernel: &mut dyn Kernel, subjects: &[Subject], settings: &Settings) -> Verification {

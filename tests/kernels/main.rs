@@ -12,6 +12,7 @@
 
 mod assert;
 mod diagnosis;
+mod itself;
 mod kernel;
 mod kernel_defects;
 mod kernel_library;

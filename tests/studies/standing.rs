@@ -28,6 +28,8 @@ fn standing(measured: &Measured, expected: Expected, of_method: Option<Verdict>)
         expected: Some(expected),
         failures: &[],
         of_method,
+        of_order: &[],
+        is_remarked: false,
         in_range: true,
         steady: true,
     })
@@ -60,7 +62,7 @@ fn what_the_method_cannot_show_is_not_asked_of_a_kernel() {
     assert_eq!(first.verdict(), Verdict::TooLow);
     for (of_method, says) in [
         (Some(Verdict::Confirmed), Standing::Contradicted),
-        (Some(Verdict::PreAsymptotic), Standing::Inconclusive),
+        (Some(Verdict::PreAsymptotic), Standing::Unresolved),
         (None, Standing::Contradicted),
     ] {
         assert_eq!(standing(&first, second, of_method), says);

@@ -44,6 +44,7 @@ struct Counts {
     confirmed: usize,
     contradicted: usize,
     inconclusive: usize,
+    unresolved: usize,
     blind: usize,
     failed: usize,
 }
@@ -77,6 +78,10 @@ struct Row<'a> {
     exact: Float,
     #[serde(skip_serializing_if = "<[_]>::is_empty")]
     unproved: &'a [Unproved],
+    /// The largest of all levels, as a part of the radiance.
+    largest_error: Option<f64>,
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    remarks: Vec<String>,
     steady: bool,
     failures: Vec<Failure>,
     #[serde(skip_serializing_if = "Option::is_none")]
@@ -128,6 +133,7 @@ pub fn json(verification: &Verification) -> Result<String, ReportError> {
             confirmed: counts.confirmed,
             contradicted: counts.contradicted,
             inconclusive: counts.inconclusive,
+            unresolved: counts.unresolved,
             blind: counts.blind,
             failed: counts.failed,
         },
@@ -178,6 +184,8 @@ fn row(line: &Line) -> Row<'_> {
         half_width: order.map(|(_, half_width)| half_width),
         exact: line.exact.clone(),
         unproved: &line.unproved,
+        largest_error: line.largest_error().filter(|error| error.is_finite()),
+        remarks: line.remarks.iter().map(ToString::to_string).collect(),
         steady: line.steady,
         failures: failures.collect(),
         fit,

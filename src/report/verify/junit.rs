@@ -47,7 +47,7 @@ pub fn junit(verification: &Verification) -> String {
     }
     let tests = verification.lines.len() + 1 + usize::from(nothing);
     let failures = counts.contradicted + usize::from(deviates) + usize::from(nothing);
-    let skipped = counts.inconclusive + counts.blind;
+    let skipped = counts.inconclusive + counts.unresolved + counts.blind;
     let totals = format!(
         "tests=\"{tests}\" failures=\"{failures}\" errors=\"{}\" skipped=\"{skipped}\"",
         counts.failed
@@ -68,7 +68,7 @@ fn body(line: &Line) -> String {
     match line.standing {
         Standing::Confirmed => String::new(),
         Standing::Contradicted => format!("<failure message=\"{found}\"/>"),
-        Standing::Inconclusive | Standing::Blind => {
+        Standing::Inconclusive | Standing::Unresolved | Standing::Blind => {
             format!("<skipped message=\"{} ({found})\"/>", line.standing)
         }
         Standing::Failed => {

@@ -18,7 +18,7 @@ use super::plots;
 use super::unproved::not_proved;
 use crate::diagnosis::Fingerprint;
 use crate::document::{
-    self, About, Block, Cell, Column, Document, Fact, Medium, Section, Table, Tone,
+    self, About, Block, Cell, Column, Document, Fact, Finding, Medium, Section, Table, Tone,
 };
 use crate::method::Expected;
 #[cfg(feature = "studies")]
@@ -27,8 +27,8 @@ use crate::study::verify::{Conclusion, Line, Measured, Standing, Verification};
 #[cfg(feature = "studies")]
 use std::path::{Path, PathBuf};
 use words::{
-    BLIND, SIGNS, axis, conclusion, failure, failures, findings, fingerprint, floor, order, theory,
-    window,
+    BLIND, SIGNS, axis, conclusion, failure, failures, findings, fingerprint, floor, largest,
+    order, theory, unresolved, window,
 };
 
 /// Channels that a terminal names of one finding.
@@ -99,6 +99,7 @@ fn counts(verification: &Verification) -> Vec<Fact> {
         ("confirmed", counts.confirmed, Tone::Good),
         ("contradicted", counts.contradicted, Tone::Bad),
         ("inconclusive", counts.inconclusive, Tone::Open),
+        ("not resolved", counts.unresolved, Tone::Open),
         ("blind", counts.blind, Tone::Open),
         ("failed", counts.failed, Tone::Bad),
     ];
@@ -121,8 +122,19 @@ fn said_by_values(verification: &Verification) -> Vec<Block> {
         found.map(move |found| Block::Finding(found).only(medium))
     });
     said.chain(found.into_iter().flatten())
+        .chain(visible(&verification.lines))
+        .chain(unresolved(verification).into_iter().map(Block::Finding))
         .chain(unproved(&verification.lines))
         .collect()
+}
+
+/// What is visibly wrong, whatever orders are.
+fn visible(lines: &[Line]) -> impl Iterator<Item = Block> {
+    lines.iter().flat_map(|line| {
+        let said = |remark| Finding::new("visible", format!("{} {remark}", line.name));
+        let said = line.remarks.iter().map(said);
+        said.map(|finding| Block::Finding(finding.toned(Tone::Bad)))
+    })
 }
 
 /// What channels rest on and is not proved.
@@ -140,6 +152,7 @@ fn channels(lines: &[Line]) -> Vec<Block> {
         Column::number("measured"),
         Column::number("window"),
         Column::number("floor"),
+        Column::number("largest"),
         Column::text("verdict"),
         Column::verdict("says"),
     ];
@@ -179,6 +192,7 @@ fn written(line: &Line) -> Vec<Cell> {
         Cell::number(order(line), line.measured.order().map(|(order, _)| order)),
         Cell::number(window(line), first),
         Cell::number(floor(line), least),
+        Cell::number(largest(line), line.largest_error()),
         Cell::text(line.measured.verdict().name()),
         Cell::verdict(line.standing.name(), tone(line.standing)),
     ]
@@ -229,6 +243,6 @@ fn tone(standing: Standing) -> Tone {
     match standing {
         Standing::Confirmed => Tone::Good,
         Standing::Contradicted | Standing::Failed => Tone::Bad,
-        Standing::Inconclusive | Standing::Blind => Tone::Open,
+        Standing::Inconclusive | Standing::Unresolved | Standing::Blind => Tone::Open,
     }
 }

@@ -1,7 +1,7 @@
 //! Rows for a terminal, as they come: columns are as wide as they may have to be.
 
 use super::tone;
-use super::words::{bars, failure, failures, floor, order, sign, theory, window};
+use super::words::{bars, failure, failures, largest, order, sign, theory, window};
 use crate::document::{Cell, Column, Finding, Table, Tone};
 use crate::render::terminal;
 use crate::study::verify::{Line, Standing};
@@ -19,7 +19,7 @@ fn table() -> Table {
         ("order", 5),
         ("measured", 11),
         ("window", 8),
-        ("floor", 5),
+        ("worst", 5),
         ("errors", BARS),
         ("verdict", 13),
     ];
@@ -35,9 +35,13 @@ pub fn heading(width: usize, color: bool) -> String {
     terminal::heading(&table(), width, color)
 }
 
-/// One channel: the order promised and measured, the window, the floor, the errors as bars, the verdict; failures below.
+/// One channel: the order promised and measured, the window, the largest error as a part of the radiance, the
+/// errors as bars, the verdict; failures below. Nothing where no method shows the order: those stand in one place.
 #[must_use]
 pub fn row(line: &Line, width: usize, color: bool) -> String {
+    if line.standing == Standing::Unresolved {
+        return String::new();
+    }
     let tone = tone(line.standing);
     let verdict = match line.standing {
         Standing::Failed => "failed",
@@ -49,7 +53,7 @@ pub fn row(line: &Line, width: usize, color: bool) -> String {
         Cell::text(theory(line.expected)),
         Cell::text(order(line).replace(" ± ", "±")),
         Cell::text(window(line)),
-        Cell::text(floor(line)),
+        Cell::text(largest(line)),
         Cell::text(thinned(&bars(line))),
         Cell::verdict(verdict, tone),
     ];
@@ -74,6 +78,7 @@ fn trouble(line: &Line) -> Vec<String> {
     if !line.steady {
         shown.push("two answers to the coarsest level differ".into());
     }
+    shown.extend(line.remarks.iter().map(ToString::to_string));
     shown
 }
 

@@ -5,7 +5,7 @@ use crate::diagnosis::{Match, Model};
 use crate::document::{Finding, Tone};
 use crate::method::Expected;
 use crate::study::verify::{
-    Axis, Conclusion, Counts, Line, Measured, Standing, Steps, Verification,
+    Axis, Conclusion, Counts, Line, MISSING, Measured, Standing, Steps, Verification,
 };
 
 /// What stands where there is no figure.
@@ -80,6 +80,52 @@ pub(super) fn floor(line: &Line) -> String {
     }
 }
 
+/// The largest error of all levels, as a part of the radiance: "2e-3".
+pub(super) fn largest(line: &Line) -> String {
+    let largest = line.largest_error().filter(|error| !error.is_nan());
+    largest.map_or(NONE.into(), |largest| format!("{largest:.0e}"))
+}
+
+/// Channels on which no method of the order shows it: all in one place.
+pub(super) fn unresolved(verification: &Verification) -> Vec<Finding> {
+    let lines = verification.lines.iter();
+    let lines = lines.filter(|line| line.standing == Standing::Unresolved);
+    let (unknown, known): (Vec<&Line>, Vec<&Line>) =
+        lines.partition(|line| line.expected == Some(Expected::Unknown));
+    let by = if verification.is_of_method() {
+        "the declared method itself does not show its order on these levels"
+    } else {
+        "no method of that order shows it on these levels"
+    };
+    let groups = [(known, by), (unknown, "theory promises no order there")];
+    let said = |(lines, why): (Vec<&Line>, &str)| {
+        let names: Vec<&str> = lines.iter().map(|line| line.name.as_str()).collect();
+        (!names.is_empty()).then(|| {
+            let said = format!("{} ({why})", names.join(", "));
+            Finding::new("not resolved", said).toned(Tone::Open)
+        })
+    };
+    groups.into_iter().filter_map(said).collect()
+}
+
+/// Orders that should have been shown.
+fn missing(verification: &Verification) -> String {
+    let missing = verification.missing();
+    if missing <= MISSING {
+        return String::new();
+    }
+    let required = verification.lines.iter().filter(|line| line.is_required);
+    let by = if verification.is_of_method() {
+        "the declared method shows its order"
+    } else {
+        "every method of that order shows it"
+    };
+    format!(
+        " (not confirmed on {missing} of {} channels where {by}; allowed: {MISSING})",
+        required.count()
+    )
+}
+
 /// The errors of all levels, one bar each: the logarithm of the largest is the highest.
 pub(super) fn bars(line: &Line) -> String {
     let sizes: Vec<f64> = match &line.measured {
@@ -141,20 +187,26 @@ pub(super) fn sign(standing: Standing) -> &'static str {
         Standing::Confirmed => "✓",
         Standing::Contradicted => "✗",
         Standing::Inconclusive => "?",
+        Standing::Unresolved => "–",
         Standing::Blind => "·",
         Standing::Failed => "!",
     }
 }
 
-/// "41 confirmed, 0 contradicted, 9 inconclusive, 8 blind of 58 channels".
+/// "41 confirmed, 0 contradicted, 1 inconclusive, 8 not resolved, 8 blind of 58 channels".
 pub(super) fn counts(counts: Counts, of: usize) -> String {
-    let failed = match counts.failed {
+    let if_any = |count: usize, what: &str| match count {
         0 => String::new(),
-        failed => format!(", {failed} failed"),
+        count => format!(", {count} {what}"),
     };
     format!(
-        "{} confirmed, {} contradicted, {} inconclusive, {} blind{failed} of {of} channels",
-        counts.confirmed, counts.contradicted, counts.inconclusive, counts.blind
+        "{} confirmed, {} contradicted, {} inconclusive{}, {} blind{} of {of} channels",
+        counts.confirmed,
+        counts.contradicted,
+        counts.inconclusive,
+        if_any(counts.unresolved, "not resolved"),
+        counts.blind,
+        if_any(counts.failed, "failed")
     )
 }
 
@@ -239,6 +291,9 @@ pub(super) fn conclusion(verification: &Verification) -> String {
     let counts = verification.counts();
     let all = self::counts(counts, verification.lines.len());
     match verification.conclusion() {
+        Conclusion::Confirmed if counts.confirmed == 0 => format!(
+            "confirmed: answers are right to one quantum, and no order shows through it: {all}"
+        ),
         Conclusion::Confirmed => format!("confirmed: {all}"),
         Conclusion::CouldNotRun => {
             format!("could not run: no level of any case was answered; {all}")
@@ -253,7 +308,7 @@ pub(super) fn conclusion(verification: &Verification) -> String {
             } else {
                 ""
             };
-            format!("not confirmed: {all}{why}")
+            format!("not confirmed: {all}{why}{}", missing(verification))
         }
     }
 }

@@ -1,6 +1,6 @@
 //! What a kernel shows on one channel of a case.
 
-use super::Standing;
+use super::{Remark, Standing};
 use crate::case::Unproved;
 use crate::convergence::{Fit, Replicas, Sample, StochasticFit, Verdict};
 use crate::kernel::KernelError;
@@ -22,6 +22,13 @@ pub struct Line {
     pub measured: Measured,
     /// Levels without an answer.
     pub failures: Vec<Failure>,
+    /// Whether the declared method, or every method of the declared order, shows its order on these levels.
+    pub is_required: bool,
+    /// Where answers are multiples of a quantum, and methods are less than half of it off at the finest level: whether the
+    /// answer there is right to one.
+    pub right_to_quantum: Option<bool>,
+    /// What is visibly wrong.
+    pub remarks: Vec<Remark>,
     /// Whether the coarsest level gave the same radiance twice; always so for kernels that draw random numbers.
     pub steady: bool,
     /// What that says of the kernel.
@@ -89,6 +96,22 @@ impl Failure {
 }
 
 impl Line {
+    /// The largest error of all levels, as a part of the radiance; of random answers, that of their mean.
+    #[must_use]
+    pub fn largest_error(&self) -> Option<f64> {
+        let errors: Vec<f64> = match &self.measured {
+            Measured::Fitted { samples, .. } => {
+                samples.iter().map(|sample| sample.error.to_f64()).collect()
+            }
+            Measured::Scattered(fit) => fit.levels.iter().map(|level| level.mean).collect(),
+            Measured::Nothing => Vec::new(),
+        };
+        let scale = self.exact.to_f64().abs();
+        let largest = errors.into_iter().map(|error| error.abs() / scale);
+        // NaN is the largest of all.
+        largest.max_by(f64::total_cmp)
+    }
+
     /// Whether every level was answered.
     #[must_use]
     pub fn is_complete(&self) -> bool {
@@ -114,6 +137,8 @@ pub(super) struct Radiances {
 }
 
 struct LevelRadiances {
+    /// Segments of the ray.
+    segments: u64,
     n: Option<u64>,
     step: f64,
     /// By seed.
@@ -133,6 +158,7 @@ impl Radiances {
 
     pub(super) fn push(
         &mut self,
+        segments: u64,
         n: Option<u64>,
         step: f64,
         values: Vec<Float>,
@@ -144,6 +170,7 @@ impl Radiances {
             return;
         }
         self.levels.push(LevelRadiances {
+            segments,
             n,
             step,
             values,
@@ -166,6 +193,12 @@ impl Radiances {
             })
         };
         self.levels.iter().filter_map(sample).collect()
+    }
+
+    /// With the number of segments of each.
+    pub(super) fn counted_samples(&self) -> Vec<(u64, Sample)> {
+        let counts = self.levels.iter().map(|level| level.segments);
+        counts.zip(self.samples()).collect()
     }
 
     /// Those of the declared method itself, where it has one at every level.

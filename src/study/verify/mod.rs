@@ -7,6 +7,8 @@ mod expectation;
 mod explain;
 mod line;
 mod nominal;
+mod peers;
+mod remark;
 mod settings;
 pub(crate) mod standing;
 mod truth;
@@ -15,6 +17,7 @@ mod truth;
 pub use baseline::{Baseline, BaselineError, BaselineLine, Moved};
 pub use explain::Finding;
 pub use line::{Failure, Line, Measured};
+pub use remark::Remark;
 pub use settings::{
     Axis, GRID_SEGMENTS, MAX_REPLICAS, REPLICAS, Settings, SettingsError, Steps, TABLE_ENTRIES,
 };
@@ -29,6 +32,9 @@ use asked::Asked;
 
 /// A kernel that answers nothing on one case may answer on the next; on so many in a row, it does not.
 const UNANSWERED_CASES: u32 = 3;
+
+/// So many channels may fail to show an order that methods of that order show there: their leading errors are others.
+pub const MISSING: usize = 2;
 
 /// What came out.
 #[derive(Clone, Debug)]
@@ -63,6 +69,33 @@ impl Verification {
         Counts::of(&self.lines)
     }
 
+    /// Whether orders are those of a method that is declared, and not of an order alone.
+    #[must_use]
+    pub fn is_of_method(&self) -> bool {
+        self.settings.expect.is_none() && self.declaration.method.is_some()
+    }
+
+    /// Whether answers are multiples of a quantum that no order is seen through, and right to one wherever methods are.
+    #[must_use]
+    pub fn is_right_to_quantum(&self) -> bool {
+        let mut right = self
+            .lines
+            .iter()
+            .filter_map(|line| line.right_to_quantum)
+            .peekable();
+        right.peek().is_some() && right.all(|right| right)
+    }
+
+    /// How many channels are not confirmed although the declared method, or every method of the declared order, is.
+    #[must_use]
+    pub fn missing(&self) -> usize {
+        let missing = self
+            .lines
+            .iter()
+            .filter(|line| line.is_required && line.standing != Standing::Confirmed);
+        missing.count()
+    }
+
     /// What it says in all.
     #[must_use]
     pub fn conclusion(&self) -> Conclusion {
@@ -76,10 +109,10 @@ impl Verification {
         let higher = self.lines.iter().filter(|line| {
             line.standing == Standing::Inconclusive && line.measured.verdict() == Verdict::TooHigh
         });
-        let failed = failed || higher.count() > counts.confirmed;
+        let failed = failed || higher.count() > counts.confirmed || self.missing() > MISSING;
         if self.lines.iter().all(Line::is_without_answer) {
             Conclusion::CouldNotRun
-        } else if counts.confirmed == 0 || failed || deviates {
+        } else if (counts.confirmed == 0 && !self.is_right_to_quantum()) || failed || deviates {
             Conclusion::NotConfirmed
         } else {
             Conclusion::Confirmed

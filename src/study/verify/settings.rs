@@ -180,14 +180,18 @@ impl Settings {
             return Ok(suited);
         }
         let takes_only_whole = declaration.step_divides
-            || declaration.method.is_some_and(|method| Recipe::of_method(&method).is_none());
+            || declaration
+                .method
+                .is_some_and(|method| Recipe::of_method(&method).is_none());
         if self.steps == Steps::PartLast && takes_only_whole {
             suited.steps = Steps::Divide;
         }
         let multiple = declaration.multiple_of.get();
         for n in &mut suited.ladder {
             let next = n.checked_next_multiple_of(multiple);
-            *n = next.filter(|n| *n <= MAX_LEVEL).ok_or(SettingsError::TooFine { n: *n })?;
+            *n = next
+                .filter(|n| *n <= MAX_LEVEL)
+                .ok_or(SettingsError::TooFine { n: *n })?;
         }
         suited.ladder.dedup();
         let levels = suited.ladder.len();

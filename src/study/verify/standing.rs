@@ -12,8 +12,10 @@ pub enum Standing {
     Confirmed,
     /// It is not.
     Contradicted,
-    /// The ladder, the format or the case cannot tell.
+    /// What was measured cannot tell, although methods of that order, or nobody, could be asked what they show.
     Inconclusive,
+    /// The ladder, the format or the case cannot tell: no method of that order shows it there.
+    Unresolved,
     /// The case hides the leading error of what was declared.
     Blind,
     /// Levels were not answered.
@@ -28,6 +30,7 @@ impl Standing {
             Standing::Confirmed => "confirmed",
             Standing::Contradicted => "contradicted",
             Standing::Inconclusive => "inconclusive",
+            Standing::Unresolved => "unresolved",
             Standing::Blind => "blind",
             Standing::Failed => "failed",
         }
@@ -49,6 +52,8 @@ pub struct Counts {
     pub contradicted: usize,
     /// [`Standing::Inconclusive`].
     pub inconclusive: usize,
+    /// [`Standing::Unresolved`].
+    pub unresolved: usize,
     /// [`Standing::Blind`].
     pub blind: usize,
     /// [`Standing::Failed`].
@@ -63,6 +68,7 @@ impl Counts {
                 Standing::Confirmed => &mut counts.confirmed,
                 Standing::Contradicted => &mut counts.contradicted,
                 Standing::Inconclusive => &mut counts.inconclusive,
+                Standing::Unresolved => &mut counts.unresolved,
                 Standing::Blind => &mut counts.blind,
                 Standing::Failed => &mut counts.failed,
             };
@@ -82,11 +88,18 @@ pub struct Judged<'a> {
     pub failures: &'a [Failure],
     /// The verdict on the declared method itself, run exactly on the same levels.
     pub of_method: Option<Verdict>,
+    /// Those on methods of the declared order where no method is, run in the declared format on the same levels.
+    pub of_order: &'a [Verdict],
+    /// Whether something is visibly wrong, whatever the order is.
+    pub is_remarked: bool,
     /// Whether the declared method, if there is one, has a value at every level in the declared format.
     pub in_range: bool,
     /// Whether answers to the same request are the same.
     pub steady: bool,
 }
+
+/// Verdicts on errors that do not converge.
+const DOES_NOT: [Verdict; 2] = [Verdict::Diverged, Verdict::Stalled];
 
 /// A kernel is measured by what its declared method itself shows on the same levels: where that is not confirmed,
 /// the ladder is too short or the case too hard for any kernel, and only what is worse than the method counts.
@@ -96,7 +109,7 @@ pub fn of(judged: &Judged<'_>) -> Standing {
     if !judged.failures.is_empty() {
         return Standing::Failed;
     }
-    if !judged.steady {
+    if !judged.steady || judged.is_remarked {
         return Standing::Contradicted;
     }
     if verdict == Verdict::NotFinite {
@@ -104,13 +117,13 @@ pub fn of(judged: &Judged<'_>) -> Standing {
         return if judged.in_range {
             Standing::Contradicted
         } else {
-            Standing::Inconclusive
+            Standing::Unresolved
         };
     }
     if verdict.passes(judged.expected) {
         return Standing::Confirmed;
     }
-    let does_not_converge = matches!(verdict, Verdict::Diverged | Verdict::Stalled);
+    let does_not_converge = DOES_NOT.contains(&verdict);
     if matches!(judged.expected, Some(Expected::Blind { .. })) {
         // Whatever the order is that a case hides, its method converges there.
         let worse = does_not_converge && judged.of_method != Some(verdict);
@@ -128,10 +141,21 @@ pub fn of(judged: &Judged<'_>) -> Standing {
         }
         Some(of_method) => does_not_converge && verdict != of_method,
         // Of an order alone nobody knows on which cases it is higher.
-        None => is_order && misses,
+        None if is_order => misses,
+        // Whatever the order is, methods converge.
+        None => {
+            let converges = |verdict: &Verdict| !DOES_NOT.contains(verdict);
+            does_not_converge
+                && !judged.of_order.is_empty()
+                && judged.of_order.iter().all(converges)
+        }
     };
+    let shows = |verdict: &Verdict| verdict.passes(judged.expected);
+    let mut of_methods = judged.of_method.iter().chain(judged.of_order).peekable();
     if contradicts {
         Standing::Contradicted
+    } else if of_methods.peek().is_some() && !of_methods.any(shows) {
+        Standing::Unresolved
     } else {
         Standing::Inconclusive
     }

@@ -3,6 +3,7 @@
 use super::fixture::subject;
 use rug::Float;
 use serde_json::{Value, json};
+use std::num::NonZeroU64;
 use std::sync::LazyLock;
 use volver::inside::kernel::{
     Array, Numbers, Trouble, Written, quoted, read_answer, read_greeting,
@@ -164,7 +165,7 @@ fn bare_nan_becomes_text_outside_texts_alone() {
 fn greetings_say_all_that_a_declaration_holds() {
     let line = br#"{"type":"hello","protocol":1,"name":"nerf","form":"formula","language":"c","method":
         "front-to-back/front/subtraction","order":"2","format":"f32","quantum":0.5,"stochastic":true,
-        "sampling":"ends","far_wall":true,"numbers":"hexadecimal","arrays":"npy"}"#;
+        "sampling":"ends","segments":{"multiple_of":2},"step":"divides","far_wall":true,"numbers":"hexadecimal","arrays":"npy"}"#;
     let greeting = read_greeting(line).unwrap();
     let declaration = Declaration {
         form: FormKind::Formula(Language::C),
@@ -174,6 +175,8 @@ fn greetings_say_all_that_a_declaration_holds() {
         quantum: Some(0.5),
         stochastic: true,
         sampling: Some(Sampling::Ends),
+        step_divides: true,
+        multiple_of: NonZeroU64::new(2).unwrap(),
         far_wall: true,
         ..Declaration::new("nerf")
     };
@@ -184,7 +187,7 @@ fn greetings_say_all_that_a_declaration_holds() {
     assert_eq!(least.declaration, Declaration::new("a"));
     assert_eq!(
         greeting.changes(&least).len(),
-        11,
+        13,
         "every key is told apart"
     );
     assert!(least.changes(&least).is_empty());
@@ -226,6 +229,21 @@ fn what_is_wrong_with_a_greeting_is_named_with_what_is_allowed() {
         ("order", json!("nan"), "order NaN (allowed: "),
         ("quantum", json!("-inf"), "quantum -inf (allowed: "),
         ("format", json!("float"), "format: "),
+        (
+            "segments",
+            json!({"multiple_of": 0}),
+            "invalid value: integer '0' (allowed: a nonzero u64)",
+        ),
+        (
+            "segments",
+            json!({"multiples": 2}),
+            "unknown key 'multiples' (allowed: 'multiple_of')",
+        ),
+        (
+            "step",
+            json!("fixed"),
+            "unknown variant 'fixed' (allowed: 'divides')",
+        ),
         (
             "sampling",
             json!("left"),

@@ -3,7 +3,7 @@
 use super::{SMOOTH, composite, declared, front, run, settings, subjects};
 use rug::Rational;
 use volver::kernel::{Closure, Segments, Subject};
-use volver::study::verify::{Baseline, BaselineError, Settings, Verification};
+use volver::study::verify::{Baseline, BaselineError, Settings, Steps, Verification};
 
 const METHOD: &str = "front-to-back/front/expm1";
 
@@ -35,7 +35,7 @@ fn worse(_: &Segments, radiance: f64) -> f64 {
 #[test]
 fn it_is_read_as_it_was_written() {
     let settings = Settings {
-        uneven: true,
+        steps: Steps::Uneven,
         expect: Some(Rational::from((3, 2))),
         ..settings("10..810x3")
     };
@@ -50,6 +50,25 @@ fn it_is_read_as_it_was_written() {
     assert_eq!(read.fingerprint.unwrap(), "front samples, 1 - exp(-τd)");
     // And asks the same again.
     assert_eq!(baseline.settings().unwrap(), settings);
+}
+
+/// Steps divided the ray before they could do otherwise, and are asked for so again.
+#[test]
+fn an_older_one_is_asked_on_the_ladder_it_was_made_with() {
+    let settings = Settings {
+        steps: Steps::Divide,
+        ..settings("8..128")
+    };
+    let verification = verified(&subjects(&["cloud"]), &settings, same);
+    let text = Baseline::new(&verification, &[]).to_json().unwrap();
+    let older = text.replace("  \"divides\": true,\n", "");
+    assert_ne!(older, text);
+    let older = Baseline::read(&older).unwrap();
+    assert_eq!(older.settings().unwrap(), settings);
+    assert_eq!(older.moved(&verification), []);
+    let newer = text.replace("\"divides\": true", "\"divides\": false");
+    let newer = Baseline::read(&newer).unwrap().settings().unwrap();
+    assert_eq!(newer.steps, Steps::PartLast);
 }
 
 #[test]

@@ -3,15 +3,18 @@
 use super::used::lookups;
 use super::{Answers, Asked};
 use crate::case::Case;
-use crate::convergence::{Replicas, Sample, fit, fit_replicas};
+use crate::convergence::{Replicas, Sample, Verdict, fit, fit_replicas};
 use crate::diagnosis::{Ray, Watched, WatchedLevel};
 use crate::kernel::{Cut, FormKind, KernelError, Rendering};
+use crate::method::Expected;
 use crate::real::Native;
 use crate::study::verify::line::{Failure, Line, Measured, Radiances};
 use crate::study::verify::nominal::{self, Nominal};
+use crate::study::verify::peers::{self, Peer};
+use crate::study::verify::remark::remarks;
 use crate::study::verify::standing::{self, Judged};
 use crate::study::verify::{Axis, VerifyError, expectation, truth};
-use rug::Float;
+use rug::{Float, Rational};
 
 /// Bits of references beyond those of the kernel's format.
 const REFERENCE_BITS: u32 = 75;
@@ -88,13 +91,13 @@ impl Asked<'_> {
             }
             // Refused already, where the ray cannot be cut so.
             let used = cut.on(self.subject.length());
-            let (step, _) = used.map_err(|error| self.cut_error(error))?;
-            let (n, step) = self.coordinate(level, uniform, step.to_f64());
+            let (step, segments) = used.map_err(|error| self.cut_error(error))?;
+            let (n, step) = self.coordinate(level, segments, step.to_f64());
             let mut floor = self.floor(&radiances.exact, level, declared.as_ref(), &ray);
             floor += self.not_refined(level, channel, &ray) + of_tables;
             let finite = |nominal: &Nominal| nominal.in_format.is_finite();
             in_range = in_range && declared.as_ref().is_none_or(finite);
-            radiances.push(n, step, values, floor, declared.map(|d| d.exact));
+            radiances.push(segments, n, step, values, floor, declared.map(|d| d.exact));
         }
         let steady = Self::is_steady(channel, answers);
         let line = Line {
@@ -122,6 +125,35 @@ impl Asked<'_> {
         let second = answers.again.as_ref().or_else(of_replicas)?;
         let rendering = second.as_ref().ok()?;
         Some(rendering.radiance.get(channel)?.to_f64())
+    }
+
+    /// The order whose methods are asked too: where one is declared, and no method, on rays that these can be run on.
+    fn order_of_peers(&self, expected: Option<Expected>) -> Option<f64> {
+        let runs = self.settings.axis == Axis::Step
+            && self.declaration.form != FormKind::Volume
+            && !self.declaration.far_wall
+            && !self.declaration.stochastic;
+        match expected {
+            Some(Expected::Order(order)) if runs => Some(order),
+            Some(Expected::Unknown) if runs => {
+                let expect = self.settings.expect.as_ref().map(Rational::to_f64);
+                expect.or(self.declaration.order)
+            }
+            _ => None,
+        }
+    }
+
+    /// As [`Line::right_to_quantum`].
+    fn right_to_quantum(&self, levels: &[(u64, Sample)], peers: &[Peer]) -> Option<bool> {
+        let quantum = self.declaration.quantum?;
+        let size = |sample: &Sample| sample.error.to_f64().abs();
+        let (_, finest) = levels.last()?;
+        let of_peers = peers
+            .iter()
+            .filter_map(|peer| peer.samples.last())
+            .map(size);
+        let largest = of_peers.reduce(f64::max)?;
+        (largest < quantum / 2.0).then(|| size(finest) <= quantum)
     }
 
     fn judged(
@@ -159,18 +191,34 @@ impl Asked<'_> {
         // Against another order than its own the method is no measure.
         let own = self.settings.expect.is_none();
         let nominal = own.then(|| radiances.nominal_samples()).flatten();
-        let of_method = nominal.map(|samples| {
-            fit(&samples, expected).map_err(|error| VerifyError::Fit {
-                case: name.clone(),
-                error,
-            })
-        });
-        let of_method = of_method.transpose()?;
+        let levels = radiances.counted_samples();
+        let is_declared = nominal.is_some();
+        let peers = match (nominal, self.order_of_peers(expected)) {
+            (Some(samples), _) => Peer::new(samples, expected).map(|peer| vec![peer]),
+            (None, Some(order)) => {
+                let format = self.declaration.format;
+                peers::of_order(order, expected, case, format, &radiances.exact, &levels)
+            }
+            (None, None) => Ok(Vec::new()),
+        };
+        let peers = peers.map_err(|error| VerifyError::Fit {
+            case: name.clone(),
+            error,
+        })?;
+        let of_method = peers
+            .first()
+            .filter(|_| is_declared)
+            .map(|peer| peer.verdict);
+        let shows = |peer: &Peer| peer.verdict.passes(expected);
+        let verdicts: Vec<Verdict> = peers.iter().map(|peer| peer.verdict).collect();
+        let remarks = remarks(&radiances.exact, &levels, &peers);
         let standing = standing::of(&Judged {
             measured: &measured,
             expected,
             failures: &failures,
-            of_method: of_method.as_ref().map(|fit| fit.verdict),
+            of_method,
+            of_order: if is_declared { &[] } else { &verdicts },
+            is_remarked: !remarks.is_empty(),
             in_range,
             steady,
         });
@@ -181,6 +229,9 @@ impl Asked<'_> {
             unproved: Vec::new(),
             measured,
             failures,
+            is_required: !peers.is_empty() && peers.iter().all(shows),
+            right_to_quantum: self.right_to_quantum(&levels, &peers),
+            remarks,
             steady,
             standing,
         })

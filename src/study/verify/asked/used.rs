@@ -85,19 +85,14 @@ impl Asked<'_> {
     }
 
     /// n and d of a level: of the ray, or of the grid.
-    pub(super) fn coordinate(
-        &self,
-        level: &Level,
-        uniform: Option<u64>,
-        step: f64,
-    ) -> (Option<u64>, f64) {
+    pub(super) fn coordinate(&self, level: &Level, segments: u64, step: f64) -> (Option<u64>, f64) {
         match (self.settings.axis, &level.volume) {
             (Axis::Grid, Some(volume)) => {
                 let cells = volume.cells() as u64;
                 let width = Rational::from(self.subject.length() / cells.max(1));
                 (Some(cells), width.to_f64())
             }
-            _ => (uniform, step),
+            _ => (Some(segments), step),
         }
     }
 }
