@@ -1,20 +1,26 @@
 //! The order of a deterministic method from its signed errors.
 
+mod changeover;
+mod drift;
 mod input;
 mod levels;
+mod logarithm;
+mod parity;
 mod regression;
+mod remarks;
+mod tail;
 
 pub use input::FitError;
 pub(super) use input::check_steps;
 
 use super::Note;
 use super::sample::{Sample, serialize_float};
-use super::verdict::{Evidence, Trend, Verdict, judge, remark_missing_floor};
-use super::window::{self, Window};
+use super::verdict::{Beyond, Evidence, Trend, Verdict, judge, remark_missing_floor};
+use super::window::Window;
 use crate::method::Expected;
 use input::check;
 use levels::Levels;
-use regression::regress;
+use regression::Asymptote;
 use rug::Float;
 use serde::Serialize;
 
@@ -107,17 +113,31 @@ pub struct Fit {
 /// expected order is not finite. NaN and infinite errors are no input errors but a verdict.
 pub fn fit(samples: &[Sample], expected: Option<Expected>) -> Result<Fit, FitError> {
     check(samples, expected)?;
-    let levels = Levels::new(samples);
+    let given = Levels::new(samples);
+    let trend = Trend::of(&given.points[..given.usable]);
+    let asymptote = Asymptote::of(&given);
+    // Errors that stay where they are need no floor that they stop at.
+    let shows_nothing = asymptote.regression().is_none() && trend != Trend::Flat;
+    let above = if shows_nothing {
+        given.above_own_floor()
+    } else {
+        None
+    };
+    let (levels, own_floor) = match above {
+        Some((levels, level)) => (levels, Some(level)),
+        None => (given, None),
+    };
+    let asymptote = match own_floor {
+        Some(_) => Asymptote::of(&levels),
+        None => asymptote,
+    };
+    let regression = asymptote.regression();
+    let window = regression.map(|r| r.window);
     let mut pairs = levels.pairs();
-    let usable: Vec<Pair> = pairs.iter().filter(|p| p.above_floor).copied().collect();
-    let orders: Vec<f64> = usable.iter().map(|p| p.order).collect();
-    let fitted = window::find(&orders)
-        .map(|(count, tolerance)| levels.window(count, tolerance))
-        .and_then(|window| Some((window, regress(window, &levels, &usable)?)));
-    let window = fitted.map(|(window, _)| window);
     for pair in &mut pairs {
         pair.in_window = window.is_some_and(|w| (w.first..w.last).contains(&pair.coarse));
     }
+    let usable: Vec<Pair> = pairs.iter().filter(|p| p.above_floor).copied().collect();
     let evidence = Evidence {
         levels: samples.len(),
         finite: samples
@@ -125,28 +145,44 @@ pub fn fit(samples: &[Sample], expected: Option<Expected>) -> Result<Fit, FitErr
             .all(|s| s.error.is_finite() && s.floor.is_finite()),
         all_at_floor: levels.at_floor.iter().all(|at| *at),
         all_zero: samples.iter().all(|s| s.error.is_zero()),
-        beyond: levels.beyond(),
-        trend: Trend::of(&levels.points[..levels.usable]),
+        beyond: match own_floor {
+            Some(_) => Beyond::Floor,
+            None => levels.beyond(),
+        },
+        trend: match own_floor {
+            // Without an order before the floor, growth beyond it is all there is.
+            Some(_) if regression.is_some() || trend != Trend::Growing => {
+                Trend::of(&levels.points[..levels.usable])
+            }
+            _ => trend,
+        },
         late_sign_changes: usable
             .iter()
             .filter(|p| p.sign_change && p.coarse + 4 >= levels.usable)
             .count(),
-        estimate: fitted.map(|(_, f)| f.estimate),
+        estimate: regression.map(|r| r.estimate),
     };
     let verdict = judge(&evidence, expected);
 
-    let (order, half_width, log2_constant) = match fitted {
-        Some((_, f)) => (
-            Some(f.estimate.order),
-            Some(f.estimate.half_width),
-            Some(f.log2_constant),
+    let (order, half_width, log2_constant) = match regression {
+        Some(r) => (
+            Some(r.estimate.order),
+            Some(r.estimate.half_width),
+            Some(r.log2_constant),
         ),
-        None => last_order(&orders, levels.points[..levels.usable].last()),
+        None => {
+            let orders: Vec<f64> = usable.iter().map(|p| p.order).collect();
+            last_order(&orders, levels.points[..levels.usable].last())
+        }
     };
-    let floor = levels.floors.last().cloned();
-    let floor = floor.unwrap_or_else(|| Float::new(53));
-    let mut notes = levels.notes(window, &pairs);
-    remark_missing_floor(verdict, !floor.is_zero(), &mut notes);
+    let floor = samples.iter().map(|s| &s.floor);
+    let floor = floor.fold(Float::new(53), |largest, floor| {
+        if largest > *floor { largest } else { floor.clone() }
+    });
+    let mut notes = remarks::remarks(&levels, asymptote, &pairs, own_floor);
+    if own_floor.is_none() {
+        remark_missing_floor(verdict, !floor.is_zero(), &mut notes);
+    }
     Ok(Fit {
         verdict,
         order,
