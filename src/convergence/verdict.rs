@@ -25,7 +25,7 @@ pub(super) const NO_CONVERGENCE: f64 = 0.1;
 /// | 3 | `Exact`, `FloorLimited` | every \|e\| ≤ 30·floor (with floor 0: e = 0): `Exact` where all errors are 0 or `Exact` is expected, `Blind` on a blind case, otherwise `FloorLimited` |
 /// | 4 | `Diverged` | beyond the floor's cut, errors rise above 30 floors again and grow up to the last level |
 /// | 5 | `Diverged` | a window with order ≤ −0.1; without a window, a trend with net order ≤ −0.1; in both, the interval lies below 0 |
-/// | 6 | `Oscillatory` | a sign change inside the window; without one, two among the last 4 usable levels; `Blind` on a blind case |
+/// | 6 | `Oscillatory` | a sign change inside the window; without one, two among the last 4 usable levels, or five pairwise orders that rise and fall in turn by more than 0.1; `Blind` on a blind case |
 /// | 7 | `Stalled` | a window with \|order\| < 0.1; without one, a trend with net order > −0.1, or five pairwise orders within ±0.35 with a net order within ±0.1 |
 /// | 8 | `Blind` | the case is blind for the method |
 /// | 9 | `PreAsymptotic` | errors rise above 30 floors again beyond the cut |
@@ -73,6 +73,13 @@ impl Verdict {
             Verdict::Exact => expected == Some(Expected::Exact),
             _ => false,
         }
+    }
+
+    /// Whether it is firm about an order: found in a window, with a narrow interval.
+    #[must_use]
+    pub fn is_of_an_order(self) -> bool {
+        use Verdict::{Confirmed, Fitted, TooHigh, TooLow};
+        matches!(self, Confirmed | TooLow | TooHigh | Fitted)
     }
 
     /// The verdict's name, as in JSON.
@@ -168,6 +175,19 @@ impl Trend {
     }
 }
 
+/// Whether the last five pairwise orders rise and fall in turn by more than 0.1: the error has a coefficient that
+/// swings from level to level.
+#[must_use]
+pub fn alternate(orders: &[f64]) -> bool {
+    let Some(finest) = orders.len().checked_sub(JITTERING) else {
+        return false;
+    };
+    let drifts = orders[finest..].windows(2).map(|pair| pair[1] - pair[0]);
+    let drifts: Vec<f64> = drifts.collect();
+    drifts.iter().all(|drift| drift.abs() > NO_CONVERGENCE)
+        && drifts.windows(2).all(|pair| pair[0] * pair[1] < 0.0)
+}
+
 /// What happens beyond the usable levels.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Beyond {
@@ -198,6 +218,8 @@ pub struct Evidence {
     pub trend: Trend,
     /// Sign changes among the last four usable levels.
     pub late_sign_changes: usize,
+    /// Orders rise and fall in turn: [`alternate`].
+    pub alternates: bool,
     /// The order of the window, where there is one.
     pub estimate: Option<Estimate>,
 }
@@ -228,7 +250,10 @@ pub fn judge(evidence: &Evidence, expected: Option<Expected>) -> Verdict {
         Some(e) if e.order <= -NO_CONVERGENCE => (Trend::Converging, e.sign_change),
         Some(e) if e.order < NO_CONVERGENCE => (Trend::Flat, e.sign_change),
         Some(e) => (Trend::Converging, e.sign_change),
-        None => (evidence.trend, evidence.late_sign_changes >= 2),
+        None => (
+            evidence.trend,
+            evidence.late_sign_changes >= 2 || evidence.alternates,
+        ),
     };
     if evidence.beyond == Beyond::Growth || trend == Trend::Growing {
         return Verdict::Diverged;

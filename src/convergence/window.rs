@@ -27,7 +27,8 @@ pub struct Window {
     pub coarsest_n: Option<u64>,
     /// Number of segments of the finest level, where known.
     pub finest_n: Option<u64>,
-    /// How closely the pairwise orders agree with the last: 0.02, 0.05, 0.1 or 0.25.
+    /// How closely the pairwise orders agree with the last: 0.02, 0.05, 0.1 or 0.25; of errors with standard errors,
+    /// the largest distance.
     pub tolerance: f64,
 }
 

@@ -23,20 +23,20 @@ const POWERS: (f64, f64) = (0.01, 16.0);
 
 /// The order of a pair of levels, and where it was measured.
 #[derive(Clone, Copy, Debug)]
-pub struct Local {
+pub(super) struct Local {
     /// The pairwise order.
-    pub order: f64,
+    pub(super) order: f64,
     /// What floors and rounding may make of it.
-    pub noise: f64,
+    pub(super) noise: f64,
     /// log₂ of the coarser step.
-    pub coarse: f64,
+    pub(super) coarse: f64,
     /// log₂ of the finer step.
-    pub fine: f64,
+    pub(super) fine: f64,
 }
 
 /// What pairwise orders do at the fine end.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub enum Drift {
+pub(super) enum Drift {
     /// They go on to an order, which may be off by the width.
     Settling { order: f64, width: f64 },
     /// They go nowhere in particular: the last one may be off by the width.
@@ -48,7 +48,7 @@ pub enum Drift {
 }
 
 /// Of pairwise orders, coarse to fine; `None` for fewer than three.
-pub fn drift(locals: &[Local]) -> Option<Drift> {
+pub(super) fn drift(locals: &[Local]) -> Option<Drift> {
     let [coarser @ .., a, b, c] = locals else {
         return None;
     };
@@ -103,7 +103,8 @@ fn hidden(locals: &[Local], last: &[Local; 3]) -> Drift {
     let finest = locals.windows(2).rev().take(3).enumerate();
     let widths = finest.map(|(age, pair)| {
         let size = (pair[0].order - pair[1].order).abs();
-        if size <= pair[0].noise + pair[1].noise {
+        // Three orders are too few to tell noise from a drift.
+        if locals.len() > 3 && size <= pair[0].noise + pair[1].noise {
             size
         } else {
             left * size / ratio.powf(0.5 * age as f64)
@@ -131,7 +132,9 @@ fn unsteady(last: &[Local; 3], drifts: &[f64]) -> Drift {
 fn turned(last: &[Local; 3], drifts: &[f64]) -> Drift {
     let ratio = (last[2].coarse - last[2].fine).exp2();
     let sizes = drifts.iter().rev().map(|drift| drift.abs());
-    let scaled = sizes.zip([1.0, 1.0, ratio.sqrt()]).map(|(size, by)| size / by);
+    let scaled = sizes
+        .zip([1.0, 1.0, ratio.sqrt()])
+        .map(|(size, by)| size / by);
     Drift::Still {
         width: left_of_drift(last, NEAREST_AT_A_TURN) * scaled.fold(0.0, f64::max),
     }
@@ -160,13 +163,17 @@ fn slope(local: &Local, q: f64, unit: f64) -> f64 {
 
 /// The first drift of three orders over the second, where the next power is q away.
 fn ratio_of_drifts(orders: &[Local; 3], q: f64) -> f64 {
-    let [a, b, c] = orders.each_ref().map(|local| slope(local, q, orders[2].fine));
+    let [a, b, c] = orders
+        .each_ref()
+        .map(|local| slope(local, q, orders[2].fine));
     (a - b) / (b - c)
 }
 
 /// What the last of three orders has to go, over the second drift: 1/(r^q − 1) where r is constant.
 fn left_of_drift(orders: &[Local; 3], q: f64) -> f64 {
-    let [_, b, c] = orders.each_ref().map(|local| slope(local, q, orders[2].fine));
+    let [_, b, c] = orders
+        .each_ref()
+        .map(|local| slope(local, q, orders[2].fine));
     c / (b - c)
 }
 
@@ -188,7 +195,7 @@ fn power(orders: &[Local; 3], ratio: f64) -> f64 {
 }
 
 /// p + g·d^q through three orders, as what it makes of the order of any pair; `None` where their drifts have no q.
-pub fn next_power(orders: &[Local; 3]) -> Option<impl Fn(&Local) -> f64 + use<>> {
+pub(super) fn next_power(orders: &[Local; 3]) -> Option<impl Fn(&Local) -> f64 + use<>> {
     let [a, b, c] = *orders;
     let drift = b.order - c.order;
     let q = power(orders, (a.order - b.order) / drift);

@@ -125,7 +125,11 @@ impl<'a> Levels<'a> {
     /// The window of the finest `pairs` usable pairs.
     pub(super) fn window(&self, pairs: usize, tolerance: f64) -> Window {
         let last = self.usable - 1;
-        let first = last - pairs;
+        self.window_of(last - pairs, last, tolerance)
+    }
+
+    /// The window from one level to another.
+    pub(super) fn window_of(&self, first: usize, last: usize, tolerance: f64) -> Window {
         Window {
             first,
             last,

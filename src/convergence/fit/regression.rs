@@ -6,7 +6,6 @@ use super::{Window, logarithm};
 use crate::convergence::line::least_squares;
 use crate::convergence::verdict::Estimate;
 use crate::convergence::window;
-use statrs::distribution::{ContinuousCDF, StudentsT};
 use std::f64::consts::LN_2;
 
 /// A regression in a window.
@@ -53,10 +52,13 @@ impl Asymptote {
                 Some((order, width)) => regress(window, levels, |_| (order, width), true),
                 None => return Asymptote::Slow(next),
             },
-            Drift::Settling { order, width } => {
-                regress(window, levels, |_| (order, width), false)
-            }
-            Drift::Still { width } => regress(window, levels, |line| (line.order, line.width(width)), false),
+            Drift::Settling { order, width } => regress(window, levels, |_| (order, width), false),
+            Drift::Still { width } => regress(
+                window,
+                levels,
+                |line| (line.order, line.width(width)),
+                false,
+            ),
         };
         regression.map_or(Asymptote::Open, Asymptote::Order)
     }
@@ -73,7 +75,6 @@ impl Asymptote {
 /// Least squares in a window, and what the pairwise orders there leave open.
 struct InWindow {
     order: f64,
-    interval: f64,
     scatter: f64,
     last: f64,
 }
@@ -82,7 +83,7 @@ impl InWindow {
     /// The half-width where the last order may be off by `width`.
     fn width(&self, width: f64) -> f64 {
         let trend = (self.order - self.last).abs() + width;
-        self.interval.max(self.scatter).max(trend)
+        self.scatter.max(trend)
     }
 }
 
@@ -100,18 +101,16 @@ fn regress(
     let last = locals.last()?;
     let weighted: Vec<(f64, f64, f64)> = inside.iter().map(|p| (p.0, p.1, 1.0)).collect();
     let line = least_squares(&weighted)?;
-    let quantile = StudentsT::new(0.0, 1.0, (inside.len() - 2) as f64)
-        .ok()?
-        .inverse_cdf(0.975);
     let scatter = locals.iter().map(|l| (l.order - line.slope).abs());
     let (order, spread) = order(&InWindow {
         order: line.slope,
-        interval: quantile * line.slope_error,
         scatter: scatter.fold(0.0, f64::max),
         last: last.order,
     });
     let log2_ratio = levels.log2_ratio(window.last);
-    let floor_share = levels.noise[window.last - 1..=window.last].iter().sum::<f64>()
+    let floor_share = levels.noise[window.last - 1..=window.last]
+        .iter()
+        .sum::<f64>()
         / (log2_ratio * LN_2);
     // The logarithms are rounded to binary64, which shows where errors follow a power exactly.
     let magnitude = inside
@@ -127,7 +126,10 @@ fn regress(
         let (x, y) = *inside.last()?;
         y - order * x
     };
-    let sign_change = levels.signs(window).windows(2).any(|pair| pair[0] != pair[1]);
+    let sign_change = levels
+        .signs(window)
+        .windows(2)
+        .any(|pair| pair[0] != pair[1]);
     half_width.is_finite().then_some(Regression {
         window,
         estimate: Estimate {

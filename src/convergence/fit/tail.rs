@@ -20,7 +20,8 @@ pub(super) fn stops_at(heights: &[f64]) -> Option<usize> {
     if *coarsest <= largest + f64::from(FLOOR_MARGIN).log2() {
         return None;
     }
-    let order = |a: &(usize, &f64), b: &(usize, &f64)| a.1.partial_cmp(b.1).unwrap_or(Ordering::Equal);
+    let order =
+        |a: &(usize, &f64), b: &(usize, &f64)| a.1.partial_cmp(b.1).unwrap_or(Ordering::Equal);
     let (place, height) = tail.iter().enumerate().take(LEVELS).max_by(order)?;
     height.is_finite().then_some(first + place)
 }
