@@ -540,5 +540,8 @@ fn remarks_are_put_in_words() {
             format!("{h:e},{:e}\n", h * h + h / 64.0)
         })
         .collect();
-    volver(&["fit", "-"], &change).assert().stdout(says("note", "order 2 gives way to order 1 at step 1.5625e-2\n"));
+    volver(&["fit", "-"], &change).assert().stdout(says(
+        "note",
+        "order 2 gives way to order 1 at step 1.5625e-2\n",
+    ));
 }

@@ -196,7 +196,7 @@ fn firm_orders_are_right_in_every_family() {
 
 /// `cargo test --test orders fit::families -- --include-ignored --nocapture` prints the figures.
 #[test]
-#[ignore = "minutes: the figures of docs/trust.md; 400 of each family run always"]
+#[ignore = "ten seconds: the figures of docs/trust.md; 400 of each family run always"]
 fn attack_firm_orders_are_right_in_every_family() {
     hold(20_000);
 }

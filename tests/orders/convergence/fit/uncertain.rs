@@ -74,7 +74,7 @@ fn orders_of_uncertain_errors_are_right() {
 }
 
 #[test]
-#[ignore = "minutes: the figures of docs/trust.md; 1,000 of each run always"]
+#[ignore = "ten seconds: the figures of docs/trust.md; 1,000 of each run always"]
 fn attack_orders_of_uncertain_errors_are_right() {
     hold(20_000);
 }
