@@ -19,7 +19,7 @@ pub mod convergence {
     pub use crate::convergence::bootstrap::{Resampler, quantile};
     pub use crate::convergence::line::{Line, least_squares};
     pub use crate::convergence::richardson::start;
-    pub use crate::convergence::verdict::{Beyond, Estimate, Evidence, Trend, judge};
+    pub use crate::convergence::verdict::{Beyond, Estimate, Evidence, Trend, alternate, judge};
 }
 
 /// Inside [`kernel`](crate::kernel).

@@ -7,7 +7,7 @@ use super::{Color, Failure, Outcome, waiting};
 use clap::Args;
 use std::path::Path;
 use volver::convergence::table::{self, Levels, Reading};
-use volver::convergence::{Decimal, fit, fit_differences};
+use volver::convergence::{Decimal, fit, fit_differences, fit_uncertain};
 use volver::input::COMPUTED;
 use volver::method::Expected;
 use volver::report::fit::{Fitted, Source, document, json};
@@ -15,19 +15,22 @@ use volver::report::fit::{Fitted, Source, document, json};
 const EXAMPLES: &str = "\
 FILE has one row a level: step and error, separated by commas, semicolons, tabs
 or blanks. A header may name the columns: h, d, dx, step or n (h = 1/n); error,
-err, e, or value, v, q, result; floor. # starts a comment.
+err, e, or value, v, q, result; floor; stderr or se, the standard error of an
+error or value. nan and inf are verdict NotFinite. # starts a comment.
 
 Examples:
   printf '.4 8e-2\\n.2 2e-2\\n.1 5e-3\\n.05 1.25e-3\\n' | volver fit - --expect 2
   printf 'n,v\\n4,1.01\\n8,1.005\\n16,1.0025\\n32,1.00125\\n' | volver fit - --exact 1
   printf '8 1.80000\\n4 1.4\\n2 1.2\\n1 1.1\\n.5 1.05\\n' | volver fit - --richardson
+  printf 'h,e,se\\n4,8,.1\\n2,4.1,.1\\n1,2,.1\\n.5,1,.1\\n' | volver fit - --at-least .8
   printf 'h,e\\n4,0\\n2,0\\n1,0\\n.5,0\\n' | volver fit - --expect exact --json
 
 Work: at most 64 MiB and 1048576 rows are read; time and memory grow with the rows.
 
-JSON: verdict, passes, expected, source, order, half_width, log2_constant,
-window, floor, floor_source, cut, pairs, notes, samples. An error below 1e-300
-is a string.";
+JSON: verdict, passes, expected, at_least, source, order, half_width,
+log2_constant, window, floor, floor_source, cut, pairs, notes, samples. Order,
+half-width and constant are null without a window. An error below 1e-300 is a
+string.";
 
 /// Fit an order of accuracy to errors, or values, at decreasing steps
 #[derive(Args)]
@@ -44,6 +47,9 @@ pub(crate) struct Fit {
     /// Check the order: exit with 1 unless it is P (or the word exact)
     #[arg(long, value_name = "P", value_parser = expected, allow_hyphen_values = true)]
     expect: Option<Expected>,
+    /// Check the order: exit with 1 unless the whole interval lies at or above P
+    #[arg(long, value_name = "P", value_parser = order, allow_hyphen_values = true)]
+    at_least: Option<f64>,
     /// Roundoff floor of every error or value; for values the default is half a
     /// unit of the last digit
     #[arg(long, value_name = "F", value_parser = floor, allow_hyphen_values = true)]
@@ -76,8 +82,8 @@ impl Fit {
         } else {
             output.show(&document(&fitted, &about()), |_| json(&fitted))?;
         }
-        match self.expect {
-            Some(_) if !fitted.fit.verdict.passes(self.expect) => Ok(Outcome::CheckFailed),
+        match fitted.passes() {
+            Some(false) => Ok(Outcome::CheckFailed),
             _ => Ok(Outcome::Good),
         }
     }
@@ -89,13 +95,15 @@ impl Fit {
             floor: self.floor.as_ref().map(|f| f.value.clone()),
         };
         let table = table::read(text, &reading)?;
+        let of_errors = match self.exact {
+            Some(_) => Source::Exact,
+            None => Source::Errors,
+        };
         let (fit, samples, source) = match table.levels {
-            Levels::Errors(samples) => {
-                let source = match self.exact {
-                    Some(_) => Source::Exact,
-                    None => Source::Errors,
-                };
-                (fit(&samples, self.expect)?, samples, source)
+            Levels::Errors(samples) => (fit(&samples, self.expect)?, samples, of_errors),
+            Levels::Uncertain(samples, deviations) => {
+                let fit = fit_uncertain(&samples, &deviations, self.expect)?;
+                (fit, samples, of_errors)
             }
             Levels::Values(values) => {
                 let found = fit_differences(&values, self.expect)?;
@@ -106,6 +114,7 @@ impl Fit {
             fit,
             samples,
             expected: self.expect,
+            at_least: self.at_least,
             floor_source: table.floor_source,
             source,
         })
@@ -127,9 +136,14 @@ fn expected(text: &str) -> Result<Expected, &'static str> {
     if text.eq_ignore_ascii_case("exact") {
         return Ok(Expected::Exact);
     }
+    order(text)
+        .map(Expected::Order)
+        .map_err(|_| "no order (allowed: a finite number, or exact)")
+}
+
+fn order(text: &str) -> Result<f64, &'static str> {
     Decimal::parse(text)
         .map(|p| p.value.to_f64())
         .filter(|p| p.is_finite())
-        .map(Expected::Order)
-        .ok_or("no order (allowed: a finite number, or exact)")
+        .ok_or("no order (allowed: a finite number)")
 }

@@ -49,7 +49,7 @@ pub(crate) mod verdict;
 mod window;
 
 pub use decimal::Decimal;
-pub use fit::{FLOOR_MARGIN, Fit, FitError, FloorCut, Pair, fit};
+pub use fit::{FLOOR_MARGIN, Fit, FitError, FloorCut, Pair, fit, fit_uncertain};
 pub use ladder::{Ladder, LadderError, MAX_LEVELS, MAX_SEGMENTS};
 #[cfg(feature = "studies")]
 pub use model::{Best, ErrorModel, Laws, RoundoffLaw};

@@ -2,7 +2,8 @@
 //!
 //! One row a level, fields separated by commas, semicolons, tabs or blanks; `#` starts a comment. A
 //! header is optional and may name its columns in any case and order: `h`, `d`, `dx`, `step` or
-//! `n` (then h = 1/n); `error`, `err`, `e` or `value`, `v`, `q`, `result`; `floor`.
+//! `n` (then h = 1/n); `error`, `err`, `e` or `value`, `v`, `q`, `result`; `floor`; `stderr`, `se`.
+//! An error or value may be `nan` or `inf`.
 //! Without a header the columns are step and error, or step and value where [`Reading`] asks for values.
 
 mod columns;
@@ -36,6 +37,8 @@ pub struct Reading {
 pub enum Levels {
     /// Signed errors, for [`fit`](super::fit()).
     Errors(Vec<Sample>),
+    /// Signed errors and their standard errors, for [`fit_uncertain`](super::fit_uncertain).
+    Uncertain(Vec<Sample>, Vec<Float>),
     /// Values without an exact result, for [`fit_differences`](super::fit_differences).
     Values(Vec<ValueSample>),
 }
@@ -71,6 +74,7 @@ struct Row {
     step_text: String,
     y: Decimal,
     floor: Option<Float>,
+    standard_error: Option<Float>,
 }
 
 /// Reads a table: rows in any order, each number at the precision its digits need.
@@ -200,14 +204,45 @@ fn row(line: usize, fields: &[&str], columns: &Columns) -> Result<Row, TableErro
         }
         None => None,
     };
+    let standard_error = match columns.standard_error {
+        Some(index) => {
+            let size = number(index)?.value;
+            if size <= 0 {
+                return Err(TableError::StandardError {
+                    line,
+                    column: column(index),
+                    text: fields[index].into(),
+                });
+            }
+            Some(size)
+        }
+        None => None,
+    };
+    let y = match not_finite(fields[columns.y]) {
+        Some(y) => y,
+        None => number(columns.y)?,
+    };
     Ok(Row {
         line,
         n,
         step,
         step_text,
-        y: number(columns.y)?,
+        y,
         floor,
+        standard_error,
     })
+}
+
+/// NaN and infinities, by their names alone.
+fn not_finite(text: &str) -> Option<Decimal> {
+    let name = text.strip_prefix(['+', '-']).unwrap_or(text);
+    let value: f64 = text.parse().ok()?;
+    name.bytes()
+        .all(|b| b.is_ascii_alphabetic())
+        .then(|| Decimal {
+            value: Float::with_val(53, value),
+            last_place: i64::MAX,
+        })
 }
 
 /// Samples from rows already in order.
@@ -217,7 +252,8 @@ fn levels(rows: Vec<Row>, columns: &Columns, reading: &Reading) -> Table {
     } else if let Some(floor) = &reading.floor {
         (floor.clone(), FloorSource::Given)
     } else if columns.y_is_value {
-        let last_place = rows.iter().map(|r| r.y.last_place).min().unwrap_or(0);
+        let finite = rows.iter().filter(|r| r.y.value.is_finite());
+        let last_place = finite.map(|r| r.y.last_place).min().unwrap_or(0);
         (
             Float::with_val(53, 10).pow(last_place) / 2_u32,
             FloorSource::Digits,
@@ -236,6 +272,8 @@ fn levels(rows: Vec<Row>, columns: &Columns, reading: &Reading) -> Table {
         };
         Levels::Values(rows.into_iter().map(sample).collect())
     } else {
+        let deviations: Option<Vec<Float>> =
+            rows.iter().map(|row| row.standard_error.clone()).collect();
         let sample = |row: Row| Sample {
             n: row.n,
             step: row.step,
@@ -248,7 +286,11 @@ fn levels(rows: Vec<Row>, columns: &Columns, reading: &Reading) -> Table {
                 None => row.y.value,
             },
         };
-        Levels::Errors(rows.into_iter().map(sample).collect())
+        let samples = rows.into_iter().map(sample).collect();
+        match deviations {
+            Some(deviations) => Levels::Uncertain(samples, deviations),
+            None => Levels::Errors(samples),
+        }
     };
     Table {
         levels,

@@ -14,7 +14,9 @@ pub(super) const NO_CONVERGENCE: f64 = 0.1;
 /// What the errors of a ladder say, compared with the order expected.
 ///
 /// Precedence; the first line that applies is the verdict ("trend": over the last up to four levels
-/// above the floor, at least three, no pairwise order reaches 0.1):
+/// above the floor, at least three, no pairwise order reaches 0.1; "interval": as far around an order as the
+/// order of any pair lies from it). Where no floor is given and errors stop falling, the floor is the one that
+/// they show:
 ///
 /// | # | verdict | when |
 /// |---|---|---|
@@ -22,9 +24,9 @@ pub(super) const NO_CONVERGENCE: f64 = 0.1;
 /// | 2 | `TooFewLevels` | fewer than 4 levels |
 /// | 3 | `Exact`, `FloorLimited` | every \|e\| ≤ 30·floor (with floor 0: e = 0): `Exact` where all errors are 0 or `Exact` is expected, `Blind` on a blind case, otherwise `FloorLimited` |
 /// | 4 | `Diverged` | beyond the floor's cut, errors rise above 30 floors again and grow up to the last level |
-/// | 5 | `Diverged` | a window with order ≤ −0.1; without a window, a trend with net order ≤ −0.1 |
-/// | 6 | `Oscillatory` | a sign change inside the window; without one, two among the last 4 usable levels; `Blind` on a blind case |
-/// | 7 | `Stalled` | a window with \|order\| < 0.1; without one, a trend with net order > −0.1 |
+/// | 5 | `Diverged` | a window with order ≤ −0.1; without a window, a trend with net order ≤ −0.1; in both, the interval lies below 0 |
+/// | 6 | `Oscillatory` | a sign change inside the window; without one, two among the last 4 usable levels, or five pairwise orders that rise and fall in turn by more than 0.1; `Blind` on a blind case |
+/// | 7 | `Stalled` | a window with \|order\| < 0.1; without one, a trend with net order > −0.1, or five pairwise orders within ±0.35 with a net order within ±0.1 |
 /// | 8 | `Blind` | the case is blind for the method |
 /// | 9 | `PreAsymptotic` | errors rise above 30 floors again beyond the cut |
 /// | 10 | `FloorLimited` | the floor cut the ladder, and no window is left or its half-width exceeds 0.25; or the half-width exceeds 0.25 by the floor's share of it |
@@ -71,6 +73,13 @@ impl Verdict {
             Verdict::Exact => expected == Some(Expected::Exact),
             _ => false,
         }
+    }
+
+    /// Whether it is firm about an order: found in a window, with a narrow interval.
+    #[must_use]
+    pub fn is_of_an_order(self) -> bool {
+        use Verdict::{Confirmed, Fitted, TooHigh, TooLow};
+        matches!(self, Confirmed | TooLow | TooHigh | Fitted)
     }
 
     /// The verdict's name, as in JSON.
@@ -120,30 +129,63 @@ pub enum Trend {
     Growing,
     /// At an order between −0.1 and 0.1.
     Flat,
-    /// At an order of 0.1 or more from some level to the next.
+    /// At an order of 0.1 or more from some level to the next, or in no direction that shows.
     Converging,
 }
 
+/// Levels whose pairwise orders all lie this near to 0 stay where they are, however they jitter …
+const JITTER: f64 = 0.35;
+/// … if there are this many such orders.
+const JITTERING: usize = 5;
+
 impl Trend {
-    /// Of the finest up to four (log₂ step, log₂ |error|), coarse to fine; `Converging` where fewer
-    /// than three are given, which is too little to call it anything else.
+    /// Of (log₂ step, log₂ |error|), coarse to fine. Five pairwise orders within ±0.35 that come to less than 0.1
+    /// are `Flat`; otherwise the finest up to four levels decide, where no order reaches 0.1: `Growing` where an
+    /// interval as wide as the largest distance of an order from that of all lies below 0. `Converging` where
+    /// fewer than three are given, which is too little to call it anything else.
     #[must_use]
     pub fn of(points: &[(f64, f64)]) -> Trend {
+        let order = |a: &(f64, f64), b: &(f64, f64)| (a.1 - b.1) / (a.0 - b.0);
+        if let Some(finest) = points.len().checked_sub(JITTERING + 1)
+            && let [first, .., last] = &points[finest..]
+            && order(first, last).abs() < NO_CONVERGENCE
+            && points[finest..]
+                .windows(2)
+                .all(|w| order(&w[0], &w[1]).abs() <= JITTER)
+        {
+            return Trend::Flat;
+        }
         let tail = &points[points.len().saturating_sub(4)..];
-        let converges = tail
-            .windows(2)
-            .any(|w| (w[0].1 - w[1].1) / (w[0].0 - w[1].0) >= NO_CONVERGENCE);
-        match tail {
-            [first, _, .., last] if !converges => {
-                if (first.1 - last.1) / (first.0 - last.0) <= -NO_CONVERGENCE {
-                    Trend::Growing
-                } else {
-                    Trend::Flat
-                }
-            }
-            _ => Trend::Converging,
+        let orders: Vec<f64> = tail.windows(2).map(|w| order(&w[0], &w[1])).collect();
+        let [first, _, .., last] = tail else {
+            return Trend::Converging;
+        };
+        if orders.iter().any(|order| *order >= NO_CONVERGENCE) {
+            return Trend::Converging;
+        }
+        let net = order(first, last);
+        let width = orders.iter().map(|order| (order - net).abs());
+        if net > -NO_CONVERGENCE {
+            Trend::Flat
+        } else if net + width.fold(0.0, f64::max) < 0.0 {
+            Trend::Growing
+        } else {
+            Trend::Converging
         }
     }
+}
+
+/// Whether the last five pairwise orders rise and fall in turn by more than 0.1: the error has a coefficient that
+/// swings from level to level.
+#[must_use]
+pub fn alternate(orders: &[f64]) -> bool {
+    let Some(finest) = orders.len().checked_sub(JITTERING) else {
+        return false;
+    };
+    let drifts = orders[finest..].windows(2).map(|pair| pair[1] - pair[0]);
+    let drifts: Vec<f64> = drifts.collect();
+    drifts.iter().all(|drift| drift.abs() > NO_CONVERGENCE)
+        && drifts.windows(2).all(|pair| pair[0] * pair[1] < 0.0)
 }
 
 /// What happens beyond the usable levels.
@@ -176,6 +218,8 @@ pub struct Evidence {
     pub trend: Trend,
     /// Sign changes among the last four usable levels.
     pub late_sign_changes: usize,
+    /// Orders rise and fall in turn: [`alternate`].
+    pub alternates: bool,
     /// The order of the window, where there is one.
     pub estimate: Option<Estimate>,
 }
@@ -200,10 +244,16 @@ pub fn judge(evidence: &Evidence, expected: Option<Expected>) -> Verdict {
         };
     }
     let (trend, oscillates) = match evidence.estimate {
-        Some(e) if e.order <= -NO_CONVERGENCE => (Trend::Growing, e.sign_change),
+        Some(e) if e.order <= -NO_CONVERGENCE && e.order + e.half_width < 0.0 => {
+            (Trend::Growing, e.sign_change)
+        }
+        Some(e) if e.order <= -NO_CONVERGENCE => (Trend::Converging, e.sign_change),
         Some(e) if e.order < NO_CONVERGENCE => (Trend::Flat, e.sign_change),
         Some(e) => (Trend::Converging, e.sign_change),
-        None => (evidence.trend, evidence.late_sign_changes >= 2),
+        None => (
+            evidence.trend,
+            evidence.late_sign_changes >= 2 || evidence.alternates,
+        ),
     };
     if evidence.beyond == Beyond::Growth || trend == Trend::Growing {
         return Verdict::Diverged;

@@ -247,8 +247,33 @@ fn bad_tables_are_named_in_one_line() {
         ),
         ("1,2\n2\n", "-: line 2: 1 fields (allowed: 2)"),
         (
-            "1,2\n2,nan\n",
-            "-: line 2, error: 'nan' is not allowed (allowed: finite decimal numbers)",
+            "1,2\n2,1e\n",
+            "-: line 2, error: '1e' is not allowed (allowed: finite decimal numbers)",
+        ),
+        (
+            "1,2\nnan,1\n",
+            "-: line 2, h: 'nan' is not allowed (allowed: finite decimal numbers)",
+        ),
+        (
+            "h,e,se\n2,2,1\n1,1,0\n",
+            "-: line 3, se: '0' is not allowed (allowed: standard errors above 0)",
+        ),
+        (
+            "h,e,stderr\n2,2,-1e-3\n1,1,1\n",
+            "-: line 2, stderr: '-1e-3' is not allowed (allowed: standard errors above 0)",
+        ),
+        (
+            "h,e,se\n2,2,nan\n1,1,1\n",
+            "-: line 2, se: 'nan' is not allowed (allowed: finite decimal numbers)",
+        ),
+        ("h,e,se\n2,2,1\n1,1\n", "-: line 3: 2 fields (allowed: 3)"),
+        (
+            "h,v,se\n2,2,1\n1,1,1\n",
+            "-: line 1: column 'se' needs errors (allowed: a column of errors, or values with an exact value)",
+        ),
+        (
+            "h,e,se,stderr\n2,2,1,1\n1,1,1,1\n",
+            "-: line 1: column 'stderr' is one too many (allowed: one step or n, one error or value, one floor, one standard error)",
         ),
         (
             "h,e\n1,2\n2,two\n",
@@ -312,7 +337,7 @@ fn colours_show_on_request_only() {
     }
     volver(&["fit", "-", "--color", "always"], "2,4\n1,1\n")
         .assert()
-        .stdout(contains("\x1b[33mverdict   TooFewLevels\x1b[0m\n"));
+        .stdout(contains("\x1b[33mverdict  TooFewLevels\x1b[0m\n"));
 }
 
 #[test]
@@ -390,4 +415,133 @@ fn of_very_many_levels_the_finest_are_shown() {
         .stdout(contains("\n  10002  10003  "));
     let all = json(&["fit", "-"], &table);
     assert_eq!(all["samples"].as_array().unwrap().len(), 10_003);
+}
+
+#[test]
+fn at_least_asks_for_the_lower_end_of_the_interval() {
+    for (least, code, said) in [
+        ("1.9", 0, "1.9: yes\n"),
+        ("-1", 0, "-1: yes\n"),
+        ("2.1", 1, "2.1: no\n"),
+    ] {
+        volver(&["fit", "-", "--at-least", least], SECOND_ORDER)
+            .assert()
+            .code(code)
+            .stdout(says("at least", said));
+        let document = json(&["fit", "-", "--at-least", least], SECOND_ORDER);
+        assert_eq!(document["passes"], code == 0);
+        assert_eq!(number(&document["at_least"]), least.parse::<f64>().unwrap());
+    }
+    // 2.01 ± 0.02 or so: the upper end does not count.
+    let rough = "8,1\n4,.2482\n2,.0624\n1,.01549\n.5,.00387\n";
+    volver(&["fit", "-", "--at-least", "2"], rough)
+        .assert()
+        .code(1);
+    volver(&["fit", "-", "--at-least", "1.9"], rough)
+        .assert()
+        .code(0);
+    // Without an order, no order is reached; both checks have to pass.
+    let growing = "8,1\n4,2\n2,4\n1,8";
+    volver(&["fit", "-", "--at-least", "-3"], growing)
+        .assert()
+        .code(1);
+    volver(
+        &["fit", "-", "--at-least", "1", "--expect", "3"],
+        SECOND_ORDER,
+    )
+    .assert()
+    .code(1);
+    volver(
+        &["fit", "-", "--at-least", "1", "--expect", "2"],
+        SECOND_ORDER,
+    )
+    .assert()
+    .code(0);
+    let mut refused = volver(&["fit", "-", "--at-least", "nan"], SECOND_ORDER);
+    refused
+        .assert()
+        .code(2)
+        .stdout("")
+        .stderr(predicate::function(|text: &str| text.lines().count() == 1));
+}
+
+#[test]
+fn errors_have_standard_errors_where_a_column_says_so() {
+    // Within its standard errors this is order 1; without them no order shows.
+    let rows = [
+        (8, 8.3, 0.3),
+        (4, 3.9, 0.15),
+        (2, 2.05, 0.07),
+        (1, 0.98, 0.04),
+    ];
+    let mut table = String::from("h,error,stderr\n");
+    let mut bare = String::new();
+    for (h, error, size) in rows {
+        table.push_str(&format!("{h},{error},{size}\n"));
+        bare.push_str(&format!("{h},{error}\n"));
+    }
+    let with = json(&["fit", "-"], &table);
+    let without = json(&["fit", "-"], &bare);
+    assert!((number(&with["order"]) - 1.0).abs() < number(&with["half_width"]));
+    assert_eq!(with["window"]["first"], 0);
+    // Three levels leave no room for a next power.
+    assert!(number(&with["half_width"]) > 0.1);
+    assert_ne!(without["half_width"], with["half_width"]);
+    // They go with values, too, where the exact one is known.
+    let values = "n,v,se\n4,1.25,1e-6\n8,1.125,1e-6\n16,1.0625,1e-6\n32,1.03125,1e-6\n";
+    let document = json(&["fit", "-", "--exact", "1", "--expect", "1"], values);
+    assert_eq!(document["verdict"], "Confirmed");
+    assert_eq!(document["source"], "exact");
+}
+
+#[test]
+fn numbers_that_are_none_are_a_verdict() {
+    for bad in ["nan", "NaN", "inf", "-inf"] {
+        let table = format!("8,64\n4,16\n2,{bad}\n1,1\n.5,.25\n");
+        volver(&["fit", "-"], &table)
+            .assert()
+            .code(0)
+            .stdout(says("verdict", "NotFinite\n"));
+        volver(&["fit", "-", "--expect", "2"], &table)
+            .assert()
+            .code(1);
+        let document = json(&["fit", "-", "--at-least", "1"], &table);
+        assert_eq!(
+            (&document["verdict"], &document["passes"]),
+            (&Value::from("NotFinite"), &Value::from(false))
+        );
+    }
+    let values = "n,v\n4,nan\n8,nan\n16,nan\n32,nan\n";
+    volver(&["fit", "-"], values)
+        .assert()
+        .code(0)
+        .stdout(says("verdict", "NotFinite\n"));
+}
+
+#[test]
+fn without_a_window_no_order_and_no_constant_is_printed() {
+    let table = "8,1\n4,.5\n2,.125\n1,.015";
+    volver(&["fit", "-"], table)
+        .assert()
+        .stdout(says("order", "none\n"))
+        .stdout(contains("constant").not())
+        .stdout(contains("±").not());
+    let document = json(&["fit", "-"], table);
+    for name in ["order", "half_width", "log2_constant", "window"] {
+        assert_eq!(document[name], Value::Null, "{name}");
+    }
+}
+
+#[test]
+fn remarks_are_put_in_words() {
+    let change: String = (0..10)
+        .map(|k| {
+            let h = 0.5_f64.powi(k);
+            format!("{h:e},{:e}\n", h * h + h / 64.0)
+        })
+        .collect();
+    volver(&["fit", "-"], &change).assert().stdout(says(
+        "note",
+        "order 2 gives way to order 1 at step 1.5625e-2\n",
+    ));
 }

@@ -34,6 +34,22 @@ pub enum FitError {
         /// The floor, rounded to binary64.
         floor: f64,
     },
+    /// There are not as many standard errors as levels.
+    #[error("{given} standard errors of {levels} levels (allowed: one a level)")]
+    StandardErrors {
+        /// How many were given.
+        given: usize,
+        /// How many levels there are.
+        levels: usize,
+    },
+    /// A standard error is not above 0.
+    #[error("standard error {size} of level {level} is not allowed (allowed: finite, above 0)")]
+    StandardError {
+        /// Index of the level.
+        level: usize,
+        /// The standard error, rounded to binary64.
+        size: f64,
+    },
     /// The expected order is no number.
     #[error("expected order {order} is not allowed (allowed: finite numbers)")]
     Expectation {

@@ -1,7 +1,7 @@
 //! A ladder's levels as a fit sees them: running floors, what stands above them, logarithms.
 
-use super::{FLOOR_MARGIN, Pair, Sample, Window};
-use crate::convergence::Note;
+use super::drift::Local;
+use super::{FLOOR_MARGIN, Pair, Sample, Window, tail};
 use crate::convergence::sample::log2_abs;
 use crate::convergence::verdict::{Beyond, Trend};
 use rug::Float;
@@ -16,13 +16,20 @@ pub(super) struct Levels<'a> {
     pub(super) at_floor: Vec<bool>,
     /// (log₂ step, log₂|error|).
     pub(super) points: Vec<(f64, f64)>,
+    /// floor/|error|: what roundoff may make of an error, relative to it.
+    pub(super) noise: Vec<f64>,
     /// Levels before the first that is at the floor or not finite.
     pub(super) usable: usize,
 }
 
 impl<'a> Levels<'a> {
     pub(super) fn new(samples: &'a [Sample]) -> Self {
-        let floors = running_floors(samples);
+        let floors = running_maximum(samples.iter().map(|s| s.floor.clone()));
+        Levels::above(samples, floors)
+    }
+
+    /// With these floors, which do not fall.
+    fn above(samples: &'a [Sample], floors: Vec<Float>) -> Self {
         let at_floor: Vec<bool> = samples
             .iter()
             .zip(&floors)
@@ -33,17 +40,64 @@ impl<'a> Levels<'a> {
             .zip(&at_floor)
             .take_while(|(s, at_floor)| s.error.is_finite() && !**at_floor)
             .count();
-        let points = samples
+        let points: Vec<(f64, f64)> = samples
             .iter()
             .map(|s| (s.step.log2(), log2_abs(&s.error)))
             .collect();
+        let noise = floors.iter().zip(&points);
+        let noise = noise.map(|(floor, p)| (log2_abs(floor) - p.1).exp2());
+        let noise = noise.collect();
         Levels {
             samples,
             floors,
             at_floor,
+            noise,
             points,
             usable,
         }
+    }
+
+    /// The same above the floor that the errors themselves show, and its level: where they stop falling, and no floor was given.
+    pub(super) fn above_own_floor(&self) -> Option<(Self, usize)> {
+        if self.floors.last().is_none_or(|floor| !floor.is_zero()) {
+            return None;
+        }
+        let heights: Vec<f64> = self.points.iter().map(|p| p.1).collect();
+        let level = tail::stops_at(&heights)?;
+        let size = |s: &Sample| Float::with_val(s.error.prec(), s.error.abs_ref());
+        let floor = size(self.samples.get(level)?);
+        // Whatever comes later is roundoff as well, and may grow.
+        let floors = self.samples.iter().enumerate().map(|(i, s)| match i {
+            i if i > level => size(s),
+            _ => floor.clone(),
+        });
+        let floors = running_maximum(floors);
+        Some((Levels::above(self.samples, floors), level))
+    }
+
+    /// Pairwise orders of the usable levels, with what noise may make of them.
+    pub(super) fn locals(&self) -> Vec<Local> {
+        (1..self.usable)
+            .map(|fine| {
+                let (coarse, at) = (self.points[fine - 1], self.points[fine]);
+                let log2_ratio = self.log2_ratio(fine);
+                let rounding = 8.0 * f64::EPSILON * at.1.abs().max(1.0) / log2_ratio;
+                let floors = self.noise[fine - 1] + self.noise[fine];
+                Local {
+                    order: (coarse.1 - at.1) / log2_ratio,
+                    noise: floors / (log2_ratio * LN_2) + rounding,
+                    coarse: at.0 + log2_ratio,
+                    fine: at.0,
+                }
+            })
+            .collect()
+    }
+
+    /// Whether errors lie below 0, in a window.
+    pub(super) fn signs(&self, window: Window) -> Vec<bool> {
+        let inside = self.samples.iter().skip(window.first);
+        let inside = inside.take(window.last + 1 - window.first);
+        inside.map(|s| s.error.is_sign_negative()).collect()
     }
 
     /// Pairwise orders of all neighbours with finite, nonzero errors; no window is known yet.
@@ -71,7 +125,11 @@ impl<'a> Levels<'a> {
     /// The window of the finest `pairs` usable pairs.
     pub(super) fn window(&self, pairs: usize, tolerance: f64) -> Window {
         let last = self.usable - 1;
-        let first = last - pairs;
+        self.window_of(last - pairs, last, tolerance)
+    }
+
+    /// The window from one level to another.
+    pub(super) fn window_of(&self, first: usize, last: usize, tolerance: f64) -> Window {
         Window {
             first,
             last,
@@ -89,7 +147,7 @@ impl<'a> Levels<'a> {
     }
 
     /// The first level beyond the cut that stands above the floor again.
-    fn risen(&self) -> Option<usize> {
+    pub(super) fn risen(&self) -> Option<usize> {
         let cut = self.cut()?;
         (cut..self.samples.len()).find(|i| !self.at_floor[*i])
     }
@@ -111,36 +169,19 @@ impl<'a> Levels<'a> {
             Beyond::Rise
         }
     }
-
-    /// Remarks on what a window does not show.
-    pub(super) fn notes(&self, window: Option<Window>, pairs: &[Pair]) -> Vec<Note> {
-        let sign_change = window.and_then(|w| {
-            let mut before = pairs.iter().rev().filter(|p| p.coarse < w.first);
-            before.find(|p| p.sign_change)
-        });
-        let sign_change = sign_change.map(|pair| Note::SignChange {
-            level: pair.coarse,
-            step: self.samples[pair.coarse].step,
-        });
-        let rise = self.risen().map(|level| Note::RisesBeyondCut {
-            level,
-            step: self.samples[level].step,
-        });
-        sign_change.into_iter().chain(rise).collect()
-    }
 }
 
 /// The largest floor up to each level. A NaN stays NaN: it is a verdict of its own.
-fn running_floors(samples: &[Sample]) -> Vec<Float> {
-    let mut floors: Vec<Float> = Vec::with_capacity(samples.len());
-    for sample in samples {
-        let floor = match floors.last() {
-            Some(before) if *before > sample.floor => before.clone(),
-            _ => sample.floor.clone(),
+fn running_maximum(floors: impl Iterator<Item = Float>) -> Vec<Float> {
+    let mut largest: Vec<Float> = Vec::new();
+    for floor in floors {
+        let floor = match largest.last() {
+            Some(before) if *before > floor => before.clone(),
+            _ => floor,
         };
-        floors.push(floor);
+        largest.push(floor);
     }
-    floors
+    largest
 }
 
 /// |e| ≤ 30·floor, compared exactly.

@@ -4,6 +4,7 @@ use super::{Reading, TableError};
 
 const X_NAMES: [&str; 4] = ["h", "d", "dx", "step"];
 const ERROR_NAMES: [&str; 3] = ["error", "err", "e"];
+const STANDARD_ERROR_NAMES: [&str; 2] = ["stderr", "se"];
 const VALUE_NAMES: [&str; 4] = ["value", "v", "q", "result"];
 
 /// What the columns hold.
@@ -14,6 +15,7 @@ pub(super) struct Columns {
     pub(super) y: usize,
     pub(super) y_is_value: bool,
     pub(super) floor: Option<usize>,
+    pub(super) standard_error: Option<usize>,
     pub(super) names: Vec<String>,
 }
 
@@ -39,6 +41,7 @@ pub(super) fn without_header(
         y: 1,
         y_is_value,
         floor: None,
+        standard_error: None,
         names: vec!["h".into(), y.into()],
     })
 }
@@ -49,7 +52,7 @@ pub(super) fn header(
     names: &[&str],
     reading: &Reading,
 ) -> Result<Columns, TableError> {
-    let (mut x, mut y, mut floor) = (None, None, None);
+    let (mut x, mut y, mut floor, mut standard_error) = (None, None, None, None);
     for (index, name) in names.iter().enumerate() {
         let lower = name.to_lowercase();
         let lower = lower.as_str();
@@ -59,6 +62,8 @@ pub(super) fn header(
             y.replace((index, VALUE_NAMES.contains(&lower))).map(drop)
         } else if lower == "floor" {
             floor.replace(index).map(drop)
+        } else if STANDARD_ERROR_NAMES.contains(&lower) {
+            standard_error.replace(index).map(drop)
         } else {
             return Err(TableError::UnknownColumn {
                 line,
@@ -81,6 +86,15 @@ pub(super) fn header(
             name: names[y].into(),
         });
     }
+    if let Some(index) = standard_error
+        && y_is_value
+        && reading.exact.is_none()
+    {
+        return Err(TableError::StandardErrorOfDifferences {
+            line,
+            name: names[index].into(),
+        });
+    }
     if let (Some(index), Some(_)) = (floor, &reading.floor) {
         return Err(TableError::TwoFloors {
             line,
@@ -94,6 +108,7 @@ pub(super) fn header(
         y,
         y_is_value,
         floor,
+        standard_error,
         names: names.iter().map(|n| (*n).into()).collect(),
     })
 }

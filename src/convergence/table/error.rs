@@ -3,7 +3,8 @@
 use super::MAX_ROWS;
 
 /// The column names a header may have.
-const ALLOWED_NAMES: &str = "h, d, dx, step or n; error, err, e, value, v, q or result; floor";
+const ALLOWED_NAMES: &str =
+    "h, d, dx, step or n; error, err, e, value, v, q or result; floor; stderr or se";
 
 /// Text that is no table of measurements.
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
@@ -97,7 +98,7 @@ pub enum TableError {
     },
     /// A header that says one thing twice, or errors and values at once.
     #[error(
-        "line {line}: column '{name}' is one too many (allowed: one step or n, one error or value, one floor)"
+        "line {line}: column '{name}' is one too many (allowed: one step or n, one error or value, one floor, one standard error)"
     )]
     ExtraColumn {
         /// Line of the header.
@@ -112,6 +113,26 @@ pub enum TableError {
         line: usize,
         /// What is missing.
         missing: &'static str,
+    },
+    /// A standard error that is 0 or less.
+    #[error("line {line}, {column}: '{text}' is not allowed (allowed: standard errors above 0)")]
+    StandardError {
+        /// Line of the field.
+        line: usize,
+        /// Column of the field.
+        column: String,
+        /// The field.
+        text: String,
+    },
+    /// Standard errors of values whose differences are to be fitted.
+    #[error(
+        "line {line}: column '{name}' needs errors (allowed: a column of errors, or values with an exact value)"
+    )]
+    StandardErrorOfDifferences {
+        /// Line of the header.
+        line: usize,
+        /// The name of the column.
+        name: String,
     },
     /// A floor column, and a floor for every level beside it.
     #[error(

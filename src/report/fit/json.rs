@@ -11,26 +11,32 @@ use serde_json::Value;
 /// The document: the fields of the library's [`Fit`] and what they rest on.
 #[derive(Serialize)]
 struct Document<'a> {
-    /// Whether the check passes; null where nothing was expected.
+    /// Whether the checks pass; null where none was asked for.
     passes: Option<bool>,
     /// The order expected, the word `exact`, or null.
     expected: Value,
     source: Source,
     floor_source: FloorSource,
+    /// The order that has to be reached, or null.
+    at_least: Option<f64>,
     #[serde(flatten)]
-    fit: &'a Fit,
+    fit: Fit,
     samples: &'a [Sample],
 }
 
-/// The fields of the [`Fit`], and `passes`, `expected`, `source`, `floor_source` and `samples`; indented, with a newline at the
-/// end.
+/// The fields of the [`Fit`], and `passes`, `expected`, `at_least`, `source`, `floor_source` and `samples`; order, half-width and
+/// constant are null without a window. Indented, with a newline at the end.
 ///
 /// # Errors
 /// [`ReportError::Json`], which no fit is known to cause.
 pub fn json(fitted: &Fitted) -> Result<String, ReportError> {
-    let verdict = fitted.fit.verdict;
+    let mut fit = fitted.fit.clone();
+    if fit.window.is_none() {
+        // The last pair is among the pairs.
+        (fit.order, fit.half_width, fit.log2_constant) = (None, None, None);
+    }
     let document = Document {
-        passes: fitted.expected.map(|_| verdict.passes(fitted.expected)),
+        passes: fitted.passes(),
         expected: match fitted.expected {
             Some(Expected::Order(p)) => p.into(),
             Some(Expected::Exact) => "exact".into(),
@@ -38,7 +44,8 @@ pub fn json(fitted: &Fitted) -> Result<String, ReportError> {
         },
         source: fitted.source,
         floor_source: fitted.floor_source,
-        fit: &fitted.fit,
+        at_least: fitted.at_least,
+        fit,
         samples: &fitted.samples,
     };
     Ok(serde_json::to_string_pretty(&document)? + "\n")

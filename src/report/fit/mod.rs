@@ -25,10 +25,40 @@ pub struct Fitted {
     pub samples: Vec<Sample>,
     /// The order that was expected, where one was.
     pub expected: Option<Expected>,
+    /// The order that has to be reached, where one was named.
+    pub at_least: Option<f64>,
     /// Where the floor comes from.
     pub floor_source: FloorSource,
     /// Where the errors come from.
     pub source: Source,
+}
+
+impl Fitted {
+    /// Whether the whole interval lies at or above the order that has to be reached; `None` where none was named.
+    #[must_use]
+    pub fn reaches(&self) -> Option<bool> {
+        let least = self.at_least?;
+        Some(
+            match (self.fit.order, self.fit.half_width, self.fit.window) {
+                (Some(order), Some(half_width), Some(_)) => {
+                    self.fit.verdict.is_of_an_order() && order - half_width >= least
+                }
+                _ => false,
+            },
+        )
+    }
+
+    /// Whether every check that was asked for passes; `None` where none was.
+    #[must_use]
+    pub fn passes(&self) -> Option<bool> {
+        let expected = self
+            .expected
+            .map(|_| self.fit.verdict.passes(self.expected));
+        match (expected, self.reaches()) {
+            (Some(first), Some(second)) => Some(first && second),
+            (first, second) => first.or(second),
+        }
+    }
 }
 
 /// Where errors come from.
@@ -64,7 +94,7 @@ fn facts(fitted: &Fitted) -> Vec<Fact> {
     let fit = &fitted.fit;
     let window = fit.window.as_ref().map_or("none".to_string(), window);
     let mut facts = vec![Fact::new("order", order(fit)), Fact::new("window", window)];
-    if let Some(log2) = fit.log2_constant {
+    if let (Some(log2), Some(_)) = (fit.log2_constant, fit.window) {
         let constant = format!("{} in |e| = c d^p", power_of_two(log2));
         facts.push(Fact::new("constant", constant));
     }
@@ -76,22 +106,22 @@ fn facts(fitted: &Fitted) -> Vec<Fact> {
     };
     let verdict = format!("{}{expected}", fit.verdict);
     facts.push(Fact::new("verdict", verdict).toned(tone(fit.verdict)));
+    if let (Some(least), Some(reaches)) = (fitted.at_least, fitted.reaches()) {
+        let (said, tone) = match reaches {
+            true => ("yes", Tone::Good),
+            false => ("no", Tone::Bad),
+        };
+        facts.push(Fact::new("at least", format!("{least}: {said}")).toned(tone));
+    }
     let notes = fit.notes.iter().map(ToString::to_string);
     facts.extend(notes.map(|note| Fact::new("note", note)));
     facts
 }
 
+/// Without a window there is no order, only pairs.
 fn order(fit: &Fit) -> String {
-    match (fit.order, fit.half_width) {
-        (Some(order), Some(half_width)) => {
-            let window = fit.window.is_some();
-            let remark = if window {
-                ""
-            } else {
-                " (last pair and spread)"
-            };
-            format!("{order:.4} ± {half_width:.4}{remark}")
-        }
+    match (fit.order, fit.half_width, fit.window) {
+        (Some(order), Some(half_width), Some(_)) => format!("{order:.4} ± {half_width:.4}"),
         _ => "none".into(),
     }
 }

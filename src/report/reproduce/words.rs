@@ -25,9 +25,11 @@ fn two_decimals(order: Option<f64>) -> String {
     order.map_or(NONE.into(), |p| format!("{p:.2}"))
 }
 
-/// "4.003 ± 0.009", with a fourth decimal where the third would make the interval 0.
+/// "4.003 ± 0.009", with a fourth decimal where the third would make the interval 0; without a window the last pair's
+/// order, which has no interval: "~4.40".
 pub(super) fn order(entry: &Entry) -> String {
     match (entry.asymptotic_order, entry.asymptotic_half_width) {
+        (Some(order), _) if entry.window.is_none() => format!("~{order:.2}"),
         (Some(order), Some(half_width)) if half_width < 0.0005 => {
             format!("{order:.4} ± {half_width:.4}")
         }

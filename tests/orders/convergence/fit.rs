@@ -1,6 +1,9 @@
 //! The mechanics of a fit: floor, pairwise orders, window, half-width, input errors.
 
 mod coverage;
+mod families;
+mod shapes;
+mod uncertain;
 
 use rug::Float;
 use volver::convergence::{Fit, FitError, Sample, Verdict, fit};
@@ -81,7 +84,7 @@ fn thirty_floors_exactly_are_roundoff() {
 
 #[test]
 fn window_and_half_width_of_a_worked_example() {
-    // Pairwise orders 3, 2.015, 2, 1.99 at ratio 2, the last error at 2⁻¹⁰ floor/|e| twice.
+    // Pairwise orders 3, 2.015, 2, 1.99 at ratio 2, the last error at 2⁻¹³ floor/|e|.
     let exponents = [0.0_f64, 3.0, 5.015, 7.015, 9.005];
     let rows: Vec<(f64, f64, f64)> = exponents
         .iter()
@@ -96,26 +99,15 @@ fn window_and_half_width_of_a_worked_example() {
     assert_eq!((window.first, window.last), (1, 4));
     assert_eq!((window.coarsest_step, window.finest_step), (0.5, 0.0625));
     assert_eq!(window.tolerance, 0.05);
-    // Slope by hand: (−1.5·3 − 0.5·5.015 + 0.5·7.015 + 1.5·9.005) / 5.
-    let slope = (1.5 * 6.005 + 0.5 * 2.0) / 5.0;
-    assert!((fit.order.unwrap() - slope).abs() < 1e-12);
-    // Intercept: ȳ − p·x̄ with ȳ = 2 − 6.00875, x̄ = −2.5.
-    let intercept = 2.0 - 6.008_75 + 2.5 * slope;
-    assert!((fit.log2_constant.unwrap() - intercept).abs() < 1e-12);
-    // t = 4.302653 at 2 degrees of freedom; residual sum of squares Syy − slope²·Sxx.
-    let y = [3.0, 5.015, 7.015, 9.005];
-    let mean = y.iter().sum::<f64>() / 4.0;
-    let syy: f64 = y.iter().map(|y| (y - mean).powi(2)).sum();
-    let t = 4.302_652_73 * ((syy - slope * slope * 5.0) / 2.0 / 5.0).sqrt();
-    let scatter = 2.015 - slope;
-    let trend = (slope - 1.99) + 2.0 * 0.01;
-    let floor = [7.015_f64, 9.005]
-        .map(|x| (x - 22.0).exp2())
-        .iter()
-        .sum::<f64>()
-        / 2_f64.ln();
-    let half_width = t.max(scatter).max(trend) + floor;
-    assert!(trend > t && trend > scatter);
+    // Drifts of 0.015 and 0.01: r^q = 1.5, and 0.01/(1.5 − 1) is left of 1.99.
+    assert!((fit.order.unwrap() - 1.97).abs() < 1e-12);
+    // c through the finest level: 2 − 9.005 + 4·1.97.
+    assert!((fit.log2_constant.unwrap() - 0.875).abs() < 1e-12);
+    // δ/(2^¼ − 1), with what floors may add to two neighbouring orders, and the floors' share of the last.
+    let floor =
+        |levels: [f64; 2]| levels.map(|x| (x - 22.0).exp2()).iter().sum::<f64>() / 2_f64.ln();
+    let noise = floor([5.015, 7.015]) + floor([7.015, 9.005]);
+    let half_width = (0.01 + noise) / (2_f64.powf(0.25) - 1.0) + floor([7.015, 9.005]);
     assert!((fit.half_width.unwrap() - half_width).abs() < 1e-7);
     assert_eq!(fit.verdict, Verdict::Confirmed);
     let inside: Vec<bool> = fit.pairs.iter().map(|p| p.in_window).collect();
@@ -148,7 +140,7 @@ fn the_scatter_of_pairwise_orders_bounds_the_half_width_from_below() {
 
 #[test]
 fn a_hidden_last_drift_counts_by_the_one_before() {
-    // 2.04, 2.00, 2.00: the drift was 0.04 a pair ago, so 0.02 may be left, twice for safety.
+    // 2.04, 2.00, 2.00: roundoff may hide the last drift, which a next power ½ away would make 0.04/√2.
     let drift = doubling(&[
         1.0,
         0.5_f64.powf(2.04),
@@ -156,9 +148,10 @@ fn a_hidden_last_drift_counts_by_the_one_before() {
         0.5_f64.powf(6.04),
     ]);
     let fit_of = fit(&drift, None).unwrap();
-    let order = fit_of.order.unwrap();
-    assert!(fit_of.half_width.unwrap() >= (order - 2.0).abs() + 0.04 - 1e-9);
-    // At a ratio of 1.25 a bias has four times its drift to go.
+    let left = 0.04 / 2_f64.sqrt() / (2_f64.powf(0.25) - 1.0);
+    let half_width = (fit_of.order.unwrap() - 2.0).abs() + left;
+    assert!((fit_of.half_width.unwrap() - half_width).abs() < 1e-9);
+    // At a ratio of 1.25 a drift of 0.01 has much more to go.
     let rows: Vec<(f64, f64, f64)> = [0.0, 2.0, 4.0, 6.01]
         .iter()
         .enumerate()
@@ -171,8 +164,9 @@ fn a_hidden_last_drift_counts_by_the_one_before() {
         })
         .collect();
     let dense = fit(&samples(&rows), None).unwrap();
-    let order = dense.order.unwrap();
-    assert!(dense.half_width.unwrap() >= (order - 2.01).abs() + 0.08 - 1e-9);
+    let left = 0.01 / (1.25_f64.powf(0.25) - 1.0);
+    let half_width = (dense.order.unwrap() - 2.01).abs() + left;
+    assert!((dense.half_width.unwrap() - half_width).abs() < 1e-9);
 }
 
 #[test]
@@ -283,35 +277,25 @@ fn steps_one_rounding_apart_give_numbers_all_the_same() {
 }
 
 #[test]
-fn the_t_interval_counts_where_levels_lie_unevenly() {
-    // Two clusters far apart: pairwise orders agree more closely than the points lie on a line.
-    let (ratios, orders) = ([8.0, 1.0, 0.3, 8.0], [1.98825, 2.00785, 2.03275, 2.03255]);
-    let (mut x, mut y) = (vec![0.0_f64], vec![0.0_f64]);
-    for (ratio, order) in ratios.iter().zip(orders) {
-        x.push(x[x.len() - 1] - ratio);
-        y.push(y[y.len() - 1] - order * ratio);
-    }
-    let rows: Vec<(f64, f64, f64)> = x
-        .iter()
-        .zip(&y)
-        .map(|(x, y)| (x.exp2(), y.exp2(), 0.0))
-        .collect();
-    let fit = fit(&samples(&rows), None).unwrap();
-    assert_eq!(fit.window.unwrap().first, 0);
-    let mean = |v: &[f64]| v.iter().sum::<f64>() / 5.0;
-    let (mx, my) = (mean(&x), mean(&y));
-    let sxx: f64 = x.iter().map(|x| (x - mx).powi(2)).sum();
-    let slope = x
-        .iter()
-        .zip(&y)
-        .map(|(x, y)| (x - mx) * (y - my))
-        .sum::<f64>()
-        / sxx;
-    let residual = |(x, y): (&f64, &f64)| (y - my - slope * (x - mx)).powi(2);
-    let squares: f64 = x.iter().zip(&y).map(residual).sum();
-    // t = 3.182446 at 3 degrees of freedom.
-    let half_width = 3.182_446_3 * (squares / 3.0 / sxx).sqrt();
-    assert!((fit.half_width.unwrap() - half_width).abs() < 1e-7);
+fn orders_that_jitter_count_twice_their_last_steps() {
+    // 2.05, 1.96, 2.03, 2.00: the larger of the last two is 0.07.
+    let jitter = doubling(&[0.0, 2.05, 4.01, 6.04, 8.04].map(|x: f64| (-x).exp2()));
+    let fit = fit(&jitter, None).unwrap();
+    let half_width = (fit.order.unwrap() - 2.0).abs() + 2.0 * 0.07;
+    assert!((fit.half_width.unwrap() - half_width).abs() < 1e-9);
+}
+
+#[test]
+fn orders_that_turn_round_have_far_to_go() {
+    // 2.000, 2.004, 2.005, 2.004: the drift passes through 0, and says little of what is left.
+    let turn = doubling(&[0.0, 2.0, 4.004, 6.009, 8.013].map(|x: f64| (-x).exp2()));
+    let fit = fit(&turn, None).unwrap();
+    let left = 0.004 / 2_f64.sqrt() / (2_f64.powf(0.05) - 1.0);
+    let half_width = (fit.order.unwrap() - 2.004).abs() + left;
+    assert!(
+        (fit.half_width.unwrap() - half_width).abs() < 1e-9,
+        "{fit:?}"
+    );
 }
 
 #[test]

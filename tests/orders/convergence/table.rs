@@ -5,8 +5,10 @@ use volver::convergence::table::{FloorSource, Levels, Reading, Table, read};
 
 fn errors(text: &str) -> Vec<(f64, f64)> {
     match read(text, &Reading::default()).unwrap().levels {
-        Levels::Errors(samples) => samples.iter().map(|s| (s.step, s.error.to_f64())).collect(),
-        Levels::Values(values) => panic!("{values:?}"),
+        Levels::Errors(samples) | Levels::Uncertain(samples, _) => {
+            samples.iter().map(|s| (s.step, s.error.to_f64())).collect()
+        }
+        other => panic!("{other:?}"),
     }
 }
 
@@ -19,7 +21,9 @@ fn exact(x: u32) -> Reading {
 
 fn floors(table: &Table) -> Vec<f64> {
     match &table.levels {
-        Levels::Errors(samples) => samples.iter().map(|s| s.floor.to_f64()).collect(),
+        Levels::Errors(samples) | Levels::Uncertain(samples, _) => {
+            samples.iter().map(|s| s.floor.to_f64()).collect()
+        }
         Levels::Values(values) => values.iter().map(|v| v.floor.to_f64()).collect(),
     }
 }
@@ -137,7 +141,7 @@ fn floors_come_from_the_column_the_reading_or_the_digits() {
 #[test]
 fn bad_text_is_named_with_line_column_and_what_is_allowed() {
     const NAMES: &str =
-        "(allowed: h, d, dx, step or n; error, err, e, value, v, q or result; floor)";
+        "(allowed: h, d, dx, step or n; error, err, e, value, v, q or result; floor; stderr or se)";
     for (text, message) in [
         ("", "no rows of numbers (allowed: two or more rows of step and error or value)".to_string()),
         ("# nothing\n\n", "no rows of numbers (allowed: two or more rows of step and error or value)".into()),
@@ -146,8 +150,8 @@ fn bad_text_is_named_with_line_column_and_what_is_allowed() {
         ("1,2,3\n", "line 1: 3 fields (allowed: 2)".into()),
         ("h,e\n1,2\n1", "line 3: 1 fields (allowed: 2)".into()),
         ("1,2\n0.5,x", "line 2, error: 'x' is not allowed (allowed: finite decimal numbers)".into()),
-        ("h,v\n1,2\n0.5,NaN", "line 3, v: 'NaN' is not allowed (allowed: finite decimal numbers)".into()),
-        ("1,inf\n2,1", "line 1, error: 'inf' is not allowed (allowed: finite decimal numbers)".into()),
+        ("h,v,floor\n1,2,0\n0.5,1,NaN", "line 3, floor: 'NaN' is not allowed (allowed: finite decimal numbers)".into()),
+        ("1,1e99999999999\n2,1", "line 1, error: '1e99999999999' is not allowed (allowed: finite decimal numbers)".into()),
         ("nan,nan\n2,1", "line 1, h: 'nan' is not allowed (allowed: finite decimal numbers)".into()),
         ("1,\n2,1", "line 1, error: '' is not allowed (allowed: finite decimal numbers)".into()),
         ("0,5;0,1\n1;2", "line 1, h: '0,5' is not allowed (allowed: finite decimal numbers)".into()),
@@ -161,8 +165,8 @@ fn bad_text_is_named_with_line_column_and_what_is_allowed() {
         ("h,e,floor\n1,1,-1e-9\n2,1,0", "line 2, floor: '-1e-9' is not allowed (allowed: 0 or above)".into()),
         ("1,1\n2,1\n1.0,3", "line 3: step '1.0' stands in line 1 already (allowed: each step once)".into()),
         ("h,time\n1,1\n2,1", "line 1: unknown column 'time' ".to_string() + NAMES),
-        ("h,n,e\n1,1,1\n2,1,1", "line 1: column 'n' is one too many (allowed: one step or n, one error or value, one floor)".into()),
-        ("h,error,value\n1,1,1\n2,1,1", "line 1: column 'value' is one too many (allowed: one step or n, one error or value, one floor)".into()),
+        ("h,n,e\n1,1,1\n2,1,1", "line 1: column 'n' is one too many (allowed: one step or n, one error or value, one floor, one standard error)".into()),
+        ("h,error,value\n1,1,1\n2,1,1", "line 1: column 'value' is one too many (allowed: one step or n, one error or value, one floor, one standard error)".into()),
         ("error\n1\n2", "line 1: the header has no step ".to_string() + NAMES),
         ("h,floor\n1,1\n2,1", "line 1: the header has no error or value ".to_string() + NAMES),
     ] {

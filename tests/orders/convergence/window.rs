@@ -48,6 +48,8 @@ fn monotone_drift_at_the_loosest_tolerance_is_no_plateau() {
     assert_eq!(find(&[3.76, 3.80, 3.85]), None);
     // The same spread without a direction is scatter around a plateau.
     assert_eq!(find(&[3.80, 3.85, 3.76]), Some((3, 0.1)));
-    // A drift of at most 0.05 is already a window at 0.05.
-    assert_eq!(find(&[3.80, 3.78, 3.76]), Some((3, 0.05)));
+    // A drift that does not shrink leads anywhere, however small; one that does is on its way to an order.
+    assert_eq!(find(&[3.80, 3.78, 3.76]), None);
+    assert_eq!(find(&[3.80, 3.78, 3.77]), Some((3, 0.05)));
+    assert_eq!(find(&[3.94, 3.80, 3.75]), Some((3, 0.25)));
 }
