@@ -98,8 +98,12 @@ fn shown(verification: &Verification) -> String {
         let (name, standing) = (&line.name, line.standing);
         let verdict = line.measured.verdict();
         let order = line.measured.order();
+        let pairs: Vec<f64> = match &line.measured {
+            Measured::Fitted { fit, .. } => fit.pairs.iter().map(|pair| pair.order).collect(),
+            _ => Vec::new(),
+        };
         format!(
-            "{name} {standing} {verdict} {order:?} of {:?}\n",
+            "{name} {standing} {verdict} {order:?} of {:?}: {pairs:.4?}\n",
             line.expected
         )
     };

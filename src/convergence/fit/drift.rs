@@ -100,7 +100,7 @@ pub(super) fn drift(locals: &[Local]) -> Option<Drift> {
 fn hidden(locals: &[Local], last: &[Local; 3]) -> Drift {
     let ratio = (last[2].coarse - last[2].fine).exp2();
     let left = left_of_drift(last, NEAREST);
-    let finest = locals.windows(2).rev().take(3).enumerate();
+    let finest = locals.windows(2).rev().take(2).enumerate();
     let widths = finest.map(|(age, pair)| {
         let size = (pair[0].order - pair[1].order).abs();
         // Three orders are too few to tell noise from a drift.

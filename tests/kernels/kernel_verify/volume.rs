@@ -188,13 +188,13 @@ fn along_the_ray_the_reference_is_the_radiance_of_the_volume_itself() {
     assert_eq!(others, 4, "decaying-field and the channels of rgb-transfer");
 }
 
-/// With more entries than usual: the kinks of as many as there are segments show at the finest levels.
+/// With more entries than usual, and up to fewer segments: the kinks of entries show as a drift that grows at finer levels.
 #[test]
 fn samples_of_a_volume_have_the_order_of_their_place() {
     let subjects = subjects(&SMOOTH);
     let settings = Settings {
         entries: 4096,
-        ..settings("8..512")
+        ..settings("8..256")
     };
     for (at, order, method) in [
         (0.5, 2.0, "front-to-back/middle/expm1"),

@@ -88,7 +88,7 @@ fn what_has_moved_is_named() {
         run.out
     );
     let (before, now) = lines[1].split_once('→').unwrap();
-    assert_eq!([order(before), order(now)], ["1.9", "1.0"]);
+    assert_eq!([order(before), order(now)], ["2.0", "1.0"]);
     assert_eq!(*lines.last().unwrap(), format!("{} moved", lines.len() - 1));
 }
 

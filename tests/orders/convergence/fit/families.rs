@@ -8,7 +8,7 @@ const ORDERS: [f64; 8] = [0.5, 1.0, 1.5, 2.0, 3.0, 4.0, 5.0, 6.0];
 const UNIT: f64 = 1.0 / (1_u64 << 53) as f64;
 
 /// What errors are made of.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Copy, Debug, PartialEq)]
 enum Family {
     /// c·d^p·(1 + a·d^q + b·d^2q), each rounded to binary64.
     Next(f64),
@@ -171,34 +171,32 @@ const OTHERS: [Family; 12] = [
     Family::Differences,
 ];
 
-fn hold(trials: u32) {
-    for family in CLEAN {
+/// Of all ladders at most one in a thousand is firmly wrong, and of each family at most so many.
+fn hold(trials: u32, in_each: u32) {
+    let mut all_wrong = 0;
+    for family in CLEAN.into_iter().chain(OTHERS) {
         let (firm, wrong) = measure(family, trials);
-        assert!(
-            1000 * wrong <= trials.max(1000),
-            "{family:?}: {wrong} wrong"
-        );
-        assert!(100 * firm >= 99 * trials, "{family:?}: {firm} firm");
+        assert!(wrong <= in_each, "{family:?}: {wrong} wrong");
+        all_wrong += wrong;
+        if CLEAN.contains(&family) {
+            assert!(100 * firm >= 99 * trials, "{family:?}: {firm} firm");
+        }
     }
-    for family in OTHERS {
-        let (_, wrong) = measure(family, trials);
-        assert!(
-            1000 * wrong <= trials.max(1000),
-            "{family:?}: {wrong} wrong"
-        );
-    }
+    let families = u32::try_from(CLEAN.len() + OTHERS.len()).unwrap();
+    assert!(1000 * all_wrong <= trials * families, "{all_wrong} wrong");
 }
 
+/// Where one in a thousand is wrong, four of 400 are so in one run of a thousand.
 #[test]
 fn firm_orders_are_right_in_every_family() {
-    hold(400);
+    hold(400, 3);
 }
 
-/// `cargo test --test orders fit::families -- --include-ignored --nocapture` prints the figures.
+/// `cargo test --test orders attack_ -- --include-ignored --nocapture` prints the figures.
 #[test]
 #[ignore = "ten seconds: the figures of docs/trust.md; 400 of each family run always"]
 fn attack_firm_orders_are_right_in_every_family() {
-    hold(20_000);
+    hold(20_000, 20);
 }
 
 /// A clean logarithm is an order up to one, not one that is too low.
