@@ -1,7 +1,7 @@
 //! What a channel says of a kernel.
 
 use super::line::{Failure, Line, Measured};
-use crate::convergence::Verdict;
+use crate::convergence::{ReportedError, Verdict};
 use crate::method::Expected;
 use std::fmt;
 
@@ -86,6 +86,10 @@ pub struct Judged<'a> {
     pub in_range: bool,
     /// Whether answers to the same request are the same.
     pub steady: bool,
+    /// Whether samples in the middles of segments find their order on these levels, as far as that is known.
+    pub resolved: bool,
+    /// Standard errors that the kernel reported.
+    pub reported: Option<ReportedError>,
 }
 
 /// A kernel is measured by what its declared method itself shows on the same levels: where that is not confirmed,
@@ -96,7 +100,12 @@ pub fn of(judged: &Judged<'_>) -> Standing {
     if !judged.failures.is_empty() {
         return Standing::Failed;
     }
-    if !judged.steady {
+    if !judged.steady
+        || judged
+            .reported
+            .as_ref()
+            .is_some_and(ReportedError::is_wrong)
+    {
         return Standing::Contradicted;
     }
     if verdict == Verdict::NotFinite {
@@ -122,13 +131,15 @@ pub fn of(judged: &Judged<'_>) -> Standing {
     }
     let is_order = matches!(judged.expected, Some(Expected::Order(_) | Expected::Exact));
     let misses = verdict == Verdict::TooLow || does_not_converge;
-    let contradicts = match judged.of_method {
+    // One run of a method that draws random numbers shows no order.
+    let scattered = matches!(judged.measured, Measured::Scattered(_));
+    let contradicts = match judged.of_method.filter(|_| !scattered) {
         Some(of_method) if of_method.passes(judged.expected) => {
             misses || matches!(verdict, Verdict::TooHigh | Verdict::Oscillatory)
         }
         Some(of_method) => does_not_converge && verdict != of_method,
         // Of an order alone nobody knows on which cases it is higher.
-        None => is_order && misses,
+        None => is_order && misses && judged.resolved,
     };
     if contradicts {
         Standing::Contradicted

@@ -1,9 +1,10 @@
 //! What comes of a kernel's answers.
 
+use super::resolved::Middles;
 use super::used::lookups;
 use super::{Answers, Asked};
 use crate::case::Case;
-use crate::convergence::{Replicas, Sample, fit, fit_replicas};
+use crate::convergence::{Replicas, Sample, fit, fit_replicas, reported_error};
 use crate::diagnosis::{Ray, Watched, WatchedLevel};
 use crate::kernel::{Cut, FormKind, KernelError, Rendering};
 use crate::real::Native;
@@ -36,6 +37,7 @@ impl Asked<'_> {
         };
         let of_tables = self.of_tables(channel)?;
         let mut radiances = Radiances::new(stepwise);
+        let mut middles = Middles::default();
         let mut failures = Vec::new();
         let mut in_range = true;
         let mut watched = Watched {
@@ -94,17 +96,30 @@ impl Asked<'_> {
             floor += self.not_refined(level, channel, &ray) + of_tables;
             let finite = |nominal: &Nominal| nominal.in_format.is_finite();
             in_range = in_range && declared.as_ref().is_none_or(finite);
-            radiances.push(n, step, values, floor, declared.map(|d| d.exact));
+            if self.declaration.stochastic {
+                middles.push(n, step, &ray, &radiances.exact, &floor);
+            }
+            let reported = renderings.iter().filter_map(|rendering| {
+                let errors = rendering.standard_error.as_ref()?;
+                errors.get(channel).copied()
+            });
+            let (reported, nominal) = (reported.collect(), declared.map(|d| d.exact));
+            radiances.push(n, step, values, floor, nominal, reported);
         }
         let steady = Self::is_steady(channel, answers);
         let line = Line {
             unproved,
-            ..self.judged(channel, radiances, failures, (steady, in_range))?
+            ..self.judged(
+                channel,
+                radiances,
+                failures,
+                (steady, in_range, middles.are_resolved()),
+            )?
         };
         Ok((line, watched))
     }
 
-    /// Whether a kernel that is said to be deterministic answers the same twice.
+    /// Whether a kernel answers the same twice: one that draws random numbers to the same seed.
     fn is_steady(channel: usize, answers: &Answers) -> bool {
         let first = answers.levels.first().and_then(|level| level.first());
         match (first, &answers.again) {
@@ -118,8 +133,8 @@ impl Asked<'_> {
 
     /// The second radiance of the coarsest level.
     fn again(channel: usize, answers: &Answers) -> Option<f64> {
-        let of_replicas = || answers.levels.first()?.get(1);
-        let second = answers.again.as_ref().or_else(of_replicas)?;
+        let of_replicas = answers.levels.first().and_then(|level| level.get(1));
+        let second = of_replicas.or(answers.again.as_ref())?;
         let rendering = second.as_ref().ok()?;
         Some(rendering.radiance.get(channel)?.to_f64())
     }
@@ -129,13 +144,15 @@ impl Asked<'_> {
         channel: usize,
         radiances: Radiances,
         failures: Vec<Failure>,
-        (steady, in_range): (bool, bool),
+        (steady, in_range, resolved): (bool, bool, bool),
     ) -> Result<Line, VerifyError> {
         let case = &self.subject.cases()[channel];
         let expected = expectation::of(self.declaration, self.settings, case);
         let name = case.name().to_string();
+        let mut reported = None;
         let measured = if self.declaration.stochastic {
             let levels: Vec<Replicas> = radiances.replicas();
+            reported = reported_error(&levels, &radiances.reported(), 0);
             if levels.len() < 3 {
                 Measured::Nothing
             } else {
@@ -173,6 +190,8 @@ impl Asked<'_> {
             of_method: of_method.as_ref().map(|fit| fit.verdict),
             in_range,
             steady,
+            resolved,
+            reported,
         });
         Ok(Line {
             name,
@@ -182,6 +201,7 @@ impl Asked<'_> {
             measured,
             failures,
             steady,
+            reported,
             standing,
         })
     }
