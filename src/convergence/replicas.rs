@@ -143,7 +143,7 @@ impl StochasticFit {
 /// levels, a line with a term of the next order over all levels, c·dᵖ(1 + a·d), and the slope at the fine end of a parabola.
 ///
 /// **Bias.** A mean is significant where |m|/(s/√R), and the same corrected for the skewness of the errors (Hall 1992),
-/// both exceed the t-quantile of 10⁻⁴/L for L levels: a kernel without bias has one in a channel in 10 000. Its order is that of b·dᵝ with the
+/// both exceed the t-quantile of 3·10⁻⁵/L for L levels: without a bias a channel has one in at most one case of 10 000. Its order is that of b·dᵝ with the
 /// least Σ((m − b·dᵝ)/σ)² over the longest fine-side run that a χ² test at 1 % leaves; all means count, significant or not. The
 /// interval is where that sum exceeds the least by the 99.9 % quantile; an end may be open.
 ///

@@ -91,7 +91,7 @@ fn moments_of_a_worked_example() {
     assert!((moments.mean - 2.5).abs() < 1e-15);
     assert!((moments.deviation - (10.0_f64 / 7.0).sqrt()).abs() < 1e-15);
     assert!((moments.standard_error - (10.0_f64 / 56.0).sqrt()).abs() < 1e-15);
-    // t = 2.5/√(10/56) = 5.9; of 8 replicas, one mean in 80 000 has |t| > 9.8.
+    // t = 2.5/√(10/56) = 5.9; of 8 replicas and 4 levels the quantile is 11.7.
     assert!(!moments.biased && moments.above_floor);
     assert_eq!(fit.bias, None);
     // All levels are multiples of one another: whatever is resampled, the order is 1. It is believed to 2 % a level:
@@ -115,10 +115,10 @@ fn a_bias_lost_in_the_scatter_has_no_order() {
     let fit = fit_replicas(&replicas(30, 5, |d| 30.0 * d * d, |d| d), order(1.0), 1).unwrap();
     let bias = fit.bias.unwrap();
     assert!(bias.levels == 7 && contains(bias, 2.0), "{bias:?}");
-    // Of 30 replicas and 7 levels, t beyond 5.2 by quantiles of t: 1e-4/7, on two sides.
+    // Of 30 replicas and 7 levels, the quantile of t at 3e-5/7 on two sides, by scipy: 5.641.
     for level in &fit.levels {
         let errors = level.mean.abs() / level.standard_error;
-        assert_eq!(level.biased, errors > 5.2, "{errors}");
+        assert_eq!(level.biased, errors > 5.641, "{errors}");
     }
     assert!(fit.levels[0].biased && !fit.levels[6].biased);
 }

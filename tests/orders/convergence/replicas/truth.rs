@@ -3,6 +3,7 @@
 use super::noise::Noise;
 use crate::convergence::random::Random;
 use volver::convergence::{Replicas, StochasticFit, Verdict, fit_replicas};
+use volver::inside::convergence::moments;
 use volver::method::Expected;
 
 const LEVELS: i32 = 8;
@@ -299,4 +300,46 @@ fn thousands_of_firm_verdicts_are_right() {
         all.wrong,
         all.trials
     );
+}
+
+/// Channels without a bias in which the mean of some level is significant, of so many.
+fn false_alarms(noise: Noise, channels: usize) -> usize {
+    let mut random = Random::new(29);
+    let mut alarms = 0;
+    for _ in 0..channels {
+        let level = |level: i32| Replicas {
+            n: None,
+            step: 0.5_f64.powi(level),
+            floor: 0.0,
+            errors: (0..REPLICAS).map(|_| noise.draw(&mut random)).collect(),
+        };
+        let levels: Vec<Replicas> = (0..LEVELS).map(level).collect();
+        alarms += usize::from(moments(&levels, REPLICAS).iter().any(|level| level.biased));
+    }
+    alarms
+}
+
+/// At a rate of 1e-4, 2000 channels have more than 3 once in 20 000 times.
+#[test]
+fn a_mean_without_bias_is_hardly_ever_significant() {
+    for noise in [Noise::Normal, Noise::ChiSquared] {
+        let alarms = false_alarms(noise, 2000);
+        assert!(alarms <= 3, "{noise:?}: {alarms}");
+    }
+}
+
+#[test]
+#[ignore = "takes a minute: 80 000 channels of each distribution"]
+fn false_alarms_are_rare() {
+    for noise in [
+        Noise::Normal,
+        Noise::Uniform,
+        Noise::HeavyTailed,
+        Noise::ChiSquared,
+    ] {
+        let alarms = false_alarms(noise, 80_000);
+        println!("{noise:?}: {alarms} of 80 000");
+        // Twice 1e-4 at most.
+        assert!(alarms <= 16, "{noise:?}: {alarms}");
+    }
 }
