@@ -126,7 +126,13 @@ impl StochasticFit {
     #[must_use]
     pub fn most_biased(&self) -> Option<&LevelMoments> {
         let biased = self.levels.iter().filter(|level| level.biased);
-        let errors = |level: &LevelMoments| level.mean.abs() / level.standard_error;
+        let errors = |level: &LevelMoments| {
+            if level.standard_error > 0.0 {
+                level.mean.abs() / level.standard_error
+            } else {
+                0.0
+            }
+        };
         biased.max_by(|a, b| errors(a).total_cmp(&errors(b)))
     }
 }

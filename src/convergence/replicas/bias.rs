@@ -44,7 +44,7 @@ impl Bias {
 struct Mean {
     /// ln(d/d of the finest level).
     logarithm: f64,
-    mean: f64,
+    value: f64,
     /// 1/σ².
     weight: f64,
 }
@@ -64,7 +64,7 @@ pub(super) fn of(moments: &[LevelMoments], levels: &[Replicas], replicas: usize)
             let sigma = sigma.hypot(BELIEVED * moments.mean);
             Mean {
                 logarithm: (moments.step / finest_step).ln(),
-                mean: moments.mean,
+                value: moments.mean,
                 weight: if sigma > 0.0 { sigma.powi(-2) } else { 0.0 },
             }
         })
@@ -136,11 +136,11 @@ fn squares(run: &[Mean], order: f64) -> (f64, f64) {
     let (above, below) = run.iter().fold((0.0, 0.0), |(above, below), mean| {
         let shape = shape(mean);
         (
-            above + mean.weight * mean.mean * shape,
+            above + mean.weight * mean.value * shape,
             below + mean.weight * shape * shape,
         )
     });
     let constant = above / below;
-    let left = |mean: &Mean| mean.weight * (mean.mean - constant * shape(mean)).powi(2);
+    let left = |mean: &Mean| mean.weight * (mean.value - constant * shape(mean)).powi(2);
     (run.iter().map(left).sum(), constant)
 }
