@@ -18,6 +18,7 @@ pub mod symbolic {
 pub mod convergence {
     pub use crate::convergence::bootstrap::{Resampler, quantile};
     pub use crate::convergence::line::{Line, least_squares};
+    pub use crate::convergence::replicas::moments::of as moments;
     pub use crate::convergence::richardson::start;
     pub use crate::convergence::verdict::{Beyond, Estimate, Evidence, Trend, alternate, judge};
 }

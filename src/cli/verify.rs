@@ -11,7 +11,7 @@ use std::str::FromStr;
 use volver::convergence::Ladder;
 use volver::kernel::{Kernel, Subject, process};
 use volver::render::terminal;
-use volver::report::verify::{document, heading, json, junit, row, write};
+use volver::report::verify::{document, heading, json, junit, row, scattered_heading, write};
 use volver::study::verify::{
     Axis, Baseline, Conclusion, Line, REPLICAS, Settings, SettingsError, Steps, Verification,
     verify,
@@ -215,7 +215,11 @@ impl Rows {
         let bar = Bar::new(work);
         let (width, color) = (width(), self.color);
         // Above the first row: what cannot be tested has no table.
-        let mut head = heading(width, color);
+        let mut head = if kernel.declaration().stochastic {
+            scattered_heading(width, color)
+        } else {
+            heading(width, color)
+        };
         let mut show = |line: &Line| {
             let text = std::mem::take(&mut head) + &row(line, width, color);
             bar.above(|| self.print(&text));

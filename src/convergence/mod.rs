@@ -37,7 +37,7 @@ pub(crate) mod line;
 #[cfg(feature = "studies")]
 mod model;
 mod note;
-mod replicas;
+pub(crate) mod replicas;
 pub(crate) mod richardson;
 mod sample;
 #[cfg(feature = "studies")]
@@ -55,7 +55,8 @@ pub use ladder::{Ladder, LadderError, MAX_LEVELS, MAX_SEGMENTS};
 pub use model::{Best, ErrorModel, Laws, RoundoffLaw};
 pub use note::Note;
 pub use replicas::{
-    LevelMoments, MIN_REPLICAS, OrderInterval, Replicas, ReplicasError, StochasticFit, fit_replicas,
+    ErrorPart, LevelMoments, MIN_REPLICAS, OrderInterval, Replicas, ReplicasError, ReportedError,
+    StochasticFit, fit_replicas, reported_error,
 };
 pub use richardson::{DifferenceFit, RichardsonError, ValueSample, fit_differences};
 pub use sample::{JSON_NUMBER_MIN, Sample, serialize_float};

@@ -2,13 +2,13 @@
 
 use volver::case::catalogue;
 use volver::case::manufacture::manufacture;
-use volver::convergence::Ladder;
+use volver::convergence::{ErrorPart, Ladder, OrderInterval};
 use volver::document::{About, Block, Document, Medium, Tone};
 use volver::kernel::{Closure, Declaration, FormKind, KernelError, Segments, Subject};
 use volver::render::{markdown, terminal};
-use volver::report::verify::{document, heading, junit, row};
+use volver::report::verify::{document, heading, json, junit, row, scattered_heading};
 use volver::study::Silent;
-use volver::study::verify::{Failure, Finding, Settings, Standing, Verification, verify};
+use volver::study::verify::{Failure, Finding, Measured, Settings, Standing, Verification, verify};
 
 fn about() -> About {
     About::new(["volver", "verify"])
@@ -231,6 +231,7 @@ fn many_channels_of_a_finding_are_counted_on_a_terminal_and_named_in_writing() {
     let of = |count: usize| Finding {
         defect: format!("seen in {count}"),
         channels: (0..count).map(|i| format!("channel-{i}")).collect(),
+        wrong: true,
     };
     all.findings = vec![of(0), of(2), of(7)];
     let text = said(&all, 200);
@@ -248,8 +249,10 @@ fn many_channels_of_a_finding_are_counted_on_a_terminal_and_named_in_writing() {
     }
     assert!(!written.contains("(7 channels)"), "{written}");
     assert!(junit(&all).contains("defect: seen in 7 (channel-0, channel-1, "));
-    // Random numbers are no defect of a kernel that says it draws them.
-    all.declaration.stochastic = true;
+    // What does not speak against the kernel is no defect.
+    for finding in &mut all.findings {
+        finding.wrong = false;
+    }
     assert!(said(&all, 200).contains("\n! found: seen in 2 (channel-0, channel-1)\n"));
     assert!(!said(&all, 200).contains("defect: "));
 }
@@ -331,4 +334,80 @@ fn whatever_a_kernel_says_is_text_in_junit() {
         text.contains("a&lt;b&gt; &amp; &quot;c&quot; [31m "),
         "{text}"
     );
+}
+
+/// Samples of C at one random place of every segment, from the seed: as good as any with scatter of order 3/2.
+fn scattered() -> Verification {
+    let subject = catalogue::find("sine-squared").unwrap().unwrap();
+    let channels = manufacture(&subject).unwrap();
+    let channels = channels.into_iter().map(|c| (c.channel, c.case)).collect();
+    let subject = Subject::new("sine-squared", channels).unwrap();
+    let declaration = Declaration {
+        order: Some(1.5),
+        stochastic: true,
+        form: FormKind::Function,
+        ..Declaration::new("under test")
+    };
+    let mut kernel = Closure::new(declaration, |task, channel| {
+        let mut state = task.seed * 1_000_003 + task.segments;
+        let mut emission = vec![0.0; task.subject.channels().len()];
+        let (mut radiance, mut transmittance) = (0.0, 1.0);
+        for i in 0..task.segments {
+            // Knuth's MMIX generator, of which the upper half is random enough.
+            state = state
+                .wrapping_mul(6_364_136_223_846_793_005)
+                .wrapping_add(1_442_695_040_888_963_407);
+            let part = (state >> 32) as f64 / 32_f64.exp2();
+            let extinction = task
+                .subject
+                .at((i as f64 + part) * task.step, &mut emission);
+            let alpha = -(-extinction * task.step).exp_m1();
+            radiance += transmittance * alpha * emission[channel];
+            transmittance *= 1.0 - alpha;
+        }
+        radiance
+    });
+    let settings = Settings::new(&"8..256".parse::<Ladder>().unwrap()).unwrap();
+    verify(&mut kernel, &[subject], &settings, &Silent, &mut |_| ()).unwrap()
+}
+
+#[test]
+fn a_kernel_that_draws_has_two_orders_the_larger_error_first() {
+    let mut all = scattered();
+    let heading = scattered_heading(80, false);
+    let shown = row(&all.lines[0], 80, false);
+    let columns = |text: &str| -> Vec<String> {
+        let text: Vec<char> = text.chars().collect();
+        // Where the heading begins a column.
+        [31, 45].map(|at| text[at..].iter().collect()).into()
+    };
+    assert!(
+        columns(&heading)[0].starts_with("larger error  smaller "),
+        "{heading}"
+    );
+    assert!(columns(&shown)[0].starts_with("s 1."), "{shown}");
+    assert!(said(&all, 80).contains("s scatter: the standard deviation over seeds"));
+    assert!(written(&all).contains("| scatter 1."), "{}", written(&all));
+
+    let Measured::Scattered(fit) = &mut all.lines[0].measured else {
+        panic!("random numbers scatter");
+    };
+    let interval = |order: f64, low: f64, high: f64| OrderInterval {
+        order,
+        low,
+        high,
+        log2_constant: 0.0,
+        levels: 4,
+    };
+    fit.larger = ErrorPart::Bias;
+    fit.deviation = Some(interval(1.5, 1.4, 1.6));
+    fit.bias = Some(interval(0.2, f64::NEG_INFINITY, 0.875));
+    let shown = row(&all.lines[0], 80, false);
+    assert!(columns(&shown)[0].starts_with("b <0.9 "), "{shown}");
+    assert!(columns(&shown)[1].starts_with("s 1.50±0.10 "), "{shown}");
+    // Markdown escapes what HTML would take for a tag.
+    assert!(written(&all).contains("0.9; scatter 1.500 ± 0.100 |"));
+    // An end that is open has no half-width: the other part's is told.
+    assert_eq!(all.lines[0].measured.order().unwrap().0, 1.5);
+    assert!(json(&all).unwrap().contains("\"low\": null"));
 }

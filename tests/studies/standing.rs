@@ -24,6 +24,8 @@ fn measured(order: f64, rest: f64, expected: Expected) -> Measured {
 
 fn standing(measured: &Measured, expected: Expected, of_method: Option<Verdict>) -> Standing {
     of(&Judged {
+        resolved: true,
+        reported: None,
         measured,
         expected: Some(expected),
         failures: &[],

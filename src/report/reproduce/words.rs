@@ -76,8 +76,8 @@ pub(super) const WORDS: [(&str, &str); 3] = [
     (
         "order",
         "the asymptotic order, fitted only at the levels where neighbouring levels agree and roundoff is far away, \
-         ± half of its interval. With replicas it is the order of the standard deviation; of the bias where the method \
-         stalled. Without levels it is that of the last pair, and ± is a spread",
+         ± half of its interval. With replicas it is the order of the standard deviation; of the bias where that is \
+         lower. Without levels it is that of the last pair, and ± is a spread",
     ),
     (
         "levels n",

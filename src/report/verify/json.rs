@@ -2,7 +2,7 @@
 
 use super::words::theory;
 use crate::case::Unproved;
-use crate::convergence::{Fit, Sample, StochasticFit, serialize_float};
+use crate::convergence::{Fit, ReportedError, Sample, StochasticFit, serialize_float};
 use crate::diagnosis::Match;
 use crate::report::ReportError;
 use crate::study::verify::{Axis, Line, Measured, Verification};
@@ -21,6 +21,8 @@ struct Document<'a> {
     counts: Counts,
     fingerprint: Option<Found>,
     findings: Vec<Finding<'a>>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    different_seeds: Option<usize>,
     lines: Vec<Row<'a>>,
 }
 
@@ -90,6 +92,8 @@ struct Row<'a> {
     samples: Option<&'a [Sample]>,
     #[serde(skip_serializing_if = "Option::is_none")]
     stochastic: Option<&'a StochasticFit>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    reported_errors: Option<ReportedError>,
 }
 
 #[derive(Serialize)]
@@ -157,6 +161,7 @@ pub fn json(verification: &Verification) -> Result<String, ReportError> {
                 channels: &finding.channels,
             })
             .collect(),
+        different_seeds: verification.different_seeds,
         lines: verification.lines.iter().map(row).collect(),
     };
     let mut text = serde_json::to_string_pretty(&document)?;
@@ -191,5 +196,6 @@ fn row(line: &Line) -> Row<'_> {
         fit,
         samples,
         stochastic,
+        reported_errors: line.reported,
     }
 }

@@ -5,13 +5,14 @@ mod json;
 #[cfg(feature = "studies")]
 mod junit;
 mod rows;
+mod scattered;
 mod words;
 
 #[cfg(feature = "studies")]
 pub use json::json;
 #[cfg(feature = "studies")]
 pub use junit::junit;
-pub use rows::{heading, row};
+pub use rows::{heading, row, scattered_heading};
 
 #[cfg(feature = "studies")]
 use super::plots;
@@ -227,7 +228,8 @@ fn run(verification: &Verification) -> Block {
 /// The signs in front of rows.
 fn legend(verification: &Verification) -> Section {
     let blind = (verification.counts().blind > 0).then_some(BLIND);
-    let lines = std::iter::once(SIGNS).chain(blind);
+    let letters = (verification.declaration.stochastic).then_some(scattered::LETTERS);
+    let lines = std::iter::once(SIGNS).chain(letters).chain(blind);
     let lines = lines.map(|line| Block::Text(line.into()).only(Medium::Terminal));
     Section::of("signs", "Signs", lines).aside()
 }

@@ -1,10 +1,11 @@
 //! Rows for a terminal, as they come: columns are as wide as they may have to be.
 
+use super::scattered::short;
 use super::tone;
 use super::words::{bars, failure, failures, largest, order, sign, theory, window};
 use crate::document::{Cell, Column, Finding, Table, Tone};
 use crate::render::terminal;
-use crate::study::verify::{Line, Standing};
+use crate::study::verify::{Line, Measured, Standing};
 
 /// Levels of which errors are shown.
 const BARS: usize = 8;
@@ -29,6 +30,29 @@ fn table() -> Table {
     )
 }
 
+/// That of a kernel that draws random numbers: two orders where others have one, its levels and a floor.
+fn scattered_table() -> Table {
+    let columns = [
+        ("", 1),
+        ("case", 22),
+        ("order", 5),
+        ("larger error", 13),
+        ("smaller", 12),
+        ("errors", BARS),
+        ("verdict", 13),
+    ];
+    Table::new(
+        "",
+        columns.map(|(title, width)| Column::text(title).wide(width)),
+    )
+}
+
+/// The names of the columns of a kernel that draws random numbers, above the first [`row`].
+#[must_use]
+pub fn scattered_heading(width: usize, color: bool) -> String {
+    terminal::heading(&scattered_table(), width, color)
+}
+
 /// The names of the columns, above the first [`row`].
 #[must_use]
 pub fn heading(width: usize, color: bool) -> String {
@@ -36,7 +60,8 @@ pub fn heading(width: usize, color: bool) -> String {
 }
 
 /// One channel: the order promised and measured, the window, the largest error as a part of the radiance, the
-/// errors as bars, the verdict; failures below. Nothing where no method shows the order: those stand in one place.
+/// errors as bars, the verdict; failures below. Of a kernel that draws random numbers the orders of both parts of its
+/// error, in place of window and largest error. Nothing where no method shows the order: those stand in one place.
 #[must_use]
 pub fn row(line: &Line, width: usize, color: bool) -> String {
     if line.standing == Standing::Unresolved {
@@ -47,17 +72,25 @@ pub fn row(line: &Line, width: usize, color: bool) -> String {
         Standing::Failed => "failed",
         _ => line.measured.verdict().name(),
     };
-    let cells = [
+    let (table, measured) = match &line.measured {
+        Measured::Scattered(fit) => (scattered_table(), short(fit).to_vec()),
+        Measured::Fitted { .. } | Measured::Nothing => {
+            let order = order(line).replace(" ± ", "±");
+            (table(), vec![order, window(line), largest(line)])
+        }
+    };
+    let first = [
         Cell::verdict(sign(line.standing), tone),
         Cell::text(&line.name),
         Cell::text(theory(line.expected)),
-        Cell::text(order(line).replace(" ± ", "±")),
-        Cell::text(window(line)),
-        Cell::text(largest(line)),
+    ];
+    let last = [
         Cell::text(thinned(&bars(line))),
         Cell::verdict(verdict, tone),
     ];
-    let mut text = terminal::row(&table(), &cells, width, color);
+    let measured = measured.into_iter().map(Cell::text);
+    let cells: Vec<Cell> = first.into_iter().chain(measured).chain(last).collect();
+    let mut text = terminal::row(&table, &cells, width, color);
     for words in trouble(line) {
         let finding = Finding::new("", words).toned(Tone::Open);
         text += &terminal::below(&finding, width, color);

@@ -1,6 +1,6 @@
 //! The words that the reports of a verification share.
 
-use super::deviates;
+use super::{deviates, scattered};
 use crate::diagnosis::{Match, Model};
 use crate::document::{Finding, Tone};
 use crate::method::Expected;
@@ -9,7 +9,7 @@ use crate::study::verify::{
 };
 
 /// What stands where there is no figure.
-const NONE: &str = "-";
+pub(super) const NONE: &str = "-";
 
 /// What the signs in front of rows mean.
 pub(super) const SIGNS: &str = "✓ confirmed, ✗ contradicted, ? inconclusive, · blind, ! failed";
@@ -38,11 +38,11 @@ fn short(order: f64) -> String {
     }
 }
 
-/// "1.003 ± 0.021"; without a window the last pair's order, which has no interval: "~1.00".
+/// "1.003 ± 0.021"; of random numbers both parts, the larger first; without a window the last pair's order, which has no interval: "~1.00".
 pub(super) fn order(line: &Line) -> String {
     let is_windowed = match &line.measured {
         Measured::Fitted { fit, .. } => fit.window.is_some(),
-        Measured::Scattered(_) => true,
+        Measured::Scattered(fit) => return scattered::both(fit),
         Measured::Nothing => false,
     };
     match line.measured.order() {
@@ -133,7 +133,7 @@ pub(super) fn bars(line: &Line) -> String {
             .iter()
             .map(|sample| sample.error.to_f64().abs())
             .collect(),
-        Measured::Scattered(fit) => fit.levels.iter().map(|level| level.deviation).collect(),
+        Measured::Scattered(fit) => scattered::sizes(fit),
         Measured::Nothing => Vec::new(),
     };
     let drawn = |size: f64| size.is_finite() && size > 0.0;
@@ -267,15 +267,15 @@ fn outside(declared: &Match) -> String {
     )
 }
 
-/// Defects by name, with their channels, or with the number of these where there are more than so many. Jitter is no defect
-/// of a kernel that says it draws random numbers.
+/// Defects by name, with their channels, or with the number of these where there are more than so many; what is no defect
+/// is said to be found.
 pub(super) fn findings(verification: &Verification, most: usize) -> Vec<Finding> {
-    let (label, tone) = if verification.declaration.stochastic {
-        ("found", Tone::Open)
-    } else {
-        ("defect", Tone::Bad)
-    };
     let findings = verification.findings.iter().map(|found| {
+        let (label, tone) = if found.wrong {
+            ("defect", Tone::Bad)
+        } else {
+            ("found", Tone::Open)
+        };
         let channels = match &found.channels[..] {
             [] => NONE.into(),
             channels if channels.len() > most => format!("{} channels", channels.len()),

@@ -5,7 +5,7 @@ use super::explain::explain_stochastic;
 use super::tables::{Cell, Stochastic};
 use super::{REPLICAS, ReproduceError, protocol};
 use crate::case::{AnyNodes, Case, Shared};
-use crate::convergence::{OrderInterval, Replicas, StochasticFit, Verdict, fit_replicas};
+use crate::convergence::{OrderInterval, Replicas, StochasticFit, fit_replicas};
 use crate::method::Level as Ray;
 use crate::method::{Expected, Exponential, Inner, Method, MethodError, Nested, Scope};
 use crate::parallel;
@@ -108,14 +108,17 @@ fn entry(cell: &Cell<Stochastic>, levels: &[Replicas], seed: u64) -> Result<Entr
         ..
     } = cell.method;
     let expected = match (exponential, scope) {
-        (Exponential::Exact, _) | (_, Scope::PerSegment) => Expected::Order(sampling.order()),
+        // What a rule leaves is no matter of chance: beside scatter of order 3/2 Riemann sums have order 1.
+        (Exponential::Exact, _) | (_, Scope::PerSegment) => {
+            Expected::Order(sampling.order().min(cell.method.outer.order()))
+        }
         (_, Scope::Whole) => Expected::Order(0.0),
     };
     let fit = fit_replicas(levels, Some(expected), seed)?;
-    // Where the bias does not go away, its order is the method's, however fast the scatter falls.
-    let order = match fit.verdict {
-        Verdict::Stalled => fit.bias.or(fit.deviation),
-        _ => fit.deviation,
+    // Where the bias falls more slowly, its order is the method's, however fast the scatter falls.
+    let order = match (fit.bias, fit.deviation) {
+        (Some(bias), Some(deviation)) if bias.high < deviation.low => Some(bias),
+        (bias, deviation) => deviation.or(bias),
     };
     let single_runs = single_run_orders(levels);
     Ok(Entry {
@@ -129,10 +132,7 @@ fn entry(cell: &Cell<Stochastic>, levels: &[Replicas], seed: u64) -> Result<Entr
         theorem: None,
         asymptotic_order: order.map(|o| o.order),
         asymptotic_half_width: order.map(half_width),
-        window: protocol::LADDER
-            .first()
-            .copied()
-            .zip(protocol::LADDER.last().copied()),
+        window: order.and_then(|order| window(&fit, order)),
         verdict: fit.verdict,
         note: explain_stochastic(cell.paper, &fit, order, &single_runs),
         pairwise: deviation_orders(&fit),
@@ -148,6 +148,12 @@ fn entry(cell: &Cell<Stochastic>, levels: &[Replicas], seed: u64) -> Result<Entr
             .collect(),
         replicas: Some(fit.replicas),
     })
+}
+
+/// The levels that an order was fitted to: the finest.
+fn window(fit: &StochasticFit, order: OrderInterval) -> Option<(u64, u64)> {
+    let first = fit.levels.len().checked_sub(order.levels)?;
+    fit.levels.get(first)?.n.zip(fit.levels.last()?.n)
 }
 
 fn half_width(interval: OrderInterval) -> f64 {

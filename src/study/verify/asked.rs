@@ -2,6 +2,7 @@
 
 mod answered;
 mod floor;
+mod resolved;
 mod used;
 
 use super::{Axis, Settings, VerifyError};
@@ -12,7 +13,7 @@ use crate::kernel::{
 use crate::study::Progress;
 use rug::Rational;
 
-/// A kernel that says it is deterministic is asked twice, with another seed.
+/// A kernel that says it is deterministic is asked twice, with another seed; one that draws random numbers with the same.
 const OTHER_SEED: u64 = 1;
 
 /// One level of one case.
@@ -42,6 +43,11 @@ pub(super) struct Answers {
 }
 
 impl Answers {
+    /// By level and seed.
+    pub(super) fn by_seed(&self) -> &[Vec<Result<Rendering, KernelError>>] {
+        &self.levels
+    }
+
     /// Whether there is a single one.
     pub(super) fn are_there(&self) -> bool {
         self.levels.iter().flatten().any(Result::is_ok)
@@ -117,9 +123,9 @@ impl<'a> Asked<'a> {
             progress.advance(level.count * seeds as u64);
         }
         // After all others: what keeps an answer for the next request has another one by now.
-        let first = self.levels.first().filter(|_| !stochastic);
-        let again = first.map(|level| {
-            let answer = kernel.render(&self.task(level, OTHER_SEED));
+        let seed = if stochastic { 0 } else { OTHER_SEED };
+        let again = self.levels.first().map(|level| {
+            let answer = kernel.render(&self.task(level, seed));
             self.checked(level, answer)
         });
         Answers { levels, again }

@@ -15,6 +15,8 @@ pub struct Finding {
     pub defect: String,
     /// The channels that show it.
     pub channels: Vec<String>,
+    /// Whether it speaks against the kernel: that answers scatter does not where it says that they do.
+    pub wrong: bool,
 }
 
 /// All defects that show, those of the whole kernel first.
@@ -28,9 +30,13 @@ pub(super) fn findings(
     let unsteady: Vec<String> = names(lines.iter().filter(|line| !line.steady));
     if !unsteady.is_empty() {
         findings.push(Finding {
-            defect: "answers differ from run to run, and the kernel is said to be deterministic"
-                .into(),
+            defect: if declaration.stochastic {
+                "the same seed has two answers".into()
+            } else {
+                "answers differ from run to run, and the kernel is said to be deterministic".into()
+            },
             channels: unsteady,
+            wrong: true,
         });
     }
     if declaration.stochastic || lines.iter().any(|line| !line.steady) {
@@ -42,6 +48,7 @@ pub(super) fn findings(
                     .iter()
                     .map(|&i| lines[i].name.clone())
                     .collect(),
+                wrong: !declaration.stochastic,
             }
         }));
         return findings;
@@ -68,11 +75,11 @@ pub(super) fn findings(
     }
     let mut ordered: Vec<(String, Vec<String>)> = by_defect.into_iter().collect();
     ordered.sort_by_key(|(_, channels)| std::cmp::Reverse(channels.len()));
-    findings.extend(
-        ordered
-            .into_iter()
-            .map(|(defect, channels)| Finding { defect, channels }),
-    );
+    findings.extend(ordered.into_iter().map(|(defect, channels)| Finding {
+        defect,
+        channels,
+        wrong: true,
+    }));
     findings
 }
 
@@ -134,5 +141,6 @@ fn growth(declaration: &Declaration, lines: &[Line]) -> Option<Finding> {
             "errors grow with the number of segments: a fixed-point accumulator, of about {middle} bits, rounds at every segment, always the same way"
         ),
         channels: names(growing.into_iter().map(|(line, _)| line)),
+        wrong: true,
     })
 }

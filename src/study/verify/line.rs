@@ -2,7 +2,7 @@
 
 use super::{Remark, Standing};
 use crate::case::Unproved;
-use crate::convergence::{Fit, Replicas, Sample, StochasticFit, Verdict};
+use crate::convergence::{ErrorPart, Fit, Replicas, ReportedError, Sample, StochasticFit, Verdict};
 use crate::kernel::KernelError;
 use crate::method::Expected;
 use rug::Float;
@@ -29,8 +29,10 @@ pub struct Line {
     pub right_to_quantum: Option<bool>,
     /// What is visibly wrong.
     pub remarks: Vec<Remark>,
-    /// Whether the coarsest level gave the same radiance twice; always so for kernels that draw random numbers.
+    /// Whether the coarsest level gave the same radiance twice: of a kernel that draws random numbers, to the same seed.
     pub steady: bool,
+    /// Standard errors that the kernel reported of its answers, beside their scatter; `None` where it reported none.
+    pub reported: Option<ReportedError>,
     /// What that says of the kernel.
     pub standing: Standing,
 }
@@ -62,15 +64,17 @@ impl Measured {
         }
     }
 
-    /// The order and the half-width of its interval.
+    /// The order and the half-width of its interval; of a kernel that draws random numbers that of the larger part of its
+    /// error, where that has one.
     #[must_use]
     pub fn order(&self) -> Option<(f64, f64)> {
         match self {
             Measured::Fitted { fit, .. } => fit.order.zip(fit.half_width),
             Measured::Scattered(fit) => {
-                let interval = fit.deviation?;
-                let half_width = (interval.high - interval.low) / 2.0;
-                Some((interval.order, half_width))
+                let parts = [fit.larger, ErrorPart::Scatter, ErrorPart::Bias];
+                let mut orders = parts.into_iter().filter_map(|part| fit.order_of(part));
+                let interval = orders.find(|order| order.half_width().is_finite())?;
+                Some((interval.order, interval.half_width()))
             }
             Measured::Nothing => None,
         }
@@ -146,6 +150,8 @@ struct LevelRadiances {
     floor: Float,
     /// Of the declared method.
     nominal: Option<Float>,
+    /// Standard errors that the kernel reports, by seed.
+    reported: Vec<f64>,
 }
 
 impl Radiances {
@@ -164,6 +170,7 @@ impl Radiances {
         values: Vec<Float>,
         floor: Float,
         nominal: Option<Float>,
+        reported: Vec<f64>,
     ) {
         // A kernel that says it used the same step again has not refined: that level adds nothing.
         if self.levels.last().is_some_and(|last| last.step <= step) {
@@ -176,6 +183,7 @@ impl Radiances {
             values,
             floor,
             nominal,
+            reported,
         });
     }
 
@@ -212,6 +220,12 @@ impl Radiances {
             })
         };
         self.levels.iter().map(sample).collect()
+    }
+
+    /// Standard errors that the kernel reports, by level and seed.
+    pub(super) fn reported(&self) -> Vec<Vec<f64>> {
+        let reported = self.levels.iter().map(|level| level.reported.clone());
+        reported.collect()
     }
 
     pub(super) fn replicas(&self) -> Vec<Replicas> {

@@ -9,6 +9,8 @@ mod line;
 mod nominal;
 mod peers;
 mod remark;
+mod scattered;
+mod seeds;
 mod settings;
 pub(crate) mod standing;
 mod truth;
@@ -29,6 +31,7 @@ use crate::diagnosis::{Accuracy, Fingerprint, Watched, fingerprint};
 use crate::kernel::{Declaration, DeclarationError, Kernel, Subject};
 use crate::reference::ReferenceError;
 use asked::Asked;
+use seeds::Seeds;
 
 /// A kernel that answers nothing on one case may answer on the next; on so many in a row, it does not.
 const UNANSWERED_CASES: u32 = 3;
@@ -49,6 +52,8 @@ pub struct Verification {
     pub fingerprint: Option<Fingerprint>,
     /// Defects by name, with the channels that show them.
     pub findings: Vec<Finding>,
+    /// So many seeds had answers of their own; `None` for a deterministic kernel.
+    pub different_seeds: Option<usize>,
 }
 
 /// What a verification says in all.
@@ -96,6 +101,16 @@ impl Verification {
         missing.count()
     }
 
+    /// Whether a kernel that says it draws random numbers has the same answers to several seeds, and errors in them.
+    #[must_use]
+    pub fn seeds_repeat(&self) -> bool {
+        let repeat = self
+            .different_seeds
+            .is_some_and(|different| different < self.settings.replicas);
+        let errs = |line: &Line| line.measured.verdict() != Verdict::Exact;
+        repeat && self.lines.iter().any(errs)
+    }
+
     /// What it says in all.
     #[must_use]
     pub fn conclusion(&self) -> Conclusion {
@@ -109,7 +124,8 @@ impl Verification {
         let higher = self.lines.iter().filter(|line| {
             line.standing == Standing::Inconclusive && line.measured.verdict() == Verdict::TooHigh
         });
-        let failed = failed || higher.count() > counts.confirmed || self.missing() > MISSING;
+        let failed = failed || higher.count() > counts.confirmed;
+        let failed = failed || self.missing() > MISSING || self.seeds_repeat();
         if self.lines.iter().all(Line::is_without_answer) {
             Conclusion::CouldNotRun
         } else if (counts.confirmed == 0 && !self.is_right_to_quantum()) || failed || deviates {
@@ -150,12 +166,14 @@ pub fn verify(
     let mut lines = Vec::new();
     let mut watched: Vec<Watched> = Vec::new();
     let mut unanswered = 0;
+    let mut seeds = Seeds::new(settings.replicas);
     for subject in subjects {
         if unanswered < UNANSWERED_CASES {
             kernel.renew();
         }
         let asked = Asked::new(subject, settings, &declaration)?;
         let answers = asked.of(kernel, progress);
+        seeds.hear(&answers);
         unanswered = if answers.are_there() {
             0
         } else {
@@ -186,13 +204,18 @@ pub fn verify(
         found
     });
     let findings = explain::findings(&declaration, &lines, &watched, fingerprint.as_ref());
-    Ok(Verification {
+    let different_seeds = declaration.stochastic.then(|| seeds.different());
+    let mut verification = Verification {
         declaration,
         settings: settings.clone(),
         lines,
         fingerprint,
         findings,
-    })
+        different_seeds,
+    };
+    let scattered = scattered::findings(&verification);
+    verification.findings.splice(0..0, scattered);
+    Ok(verification)
 }
 
 /// What no verification can be made of.

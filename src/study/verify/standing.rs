@@ -1,7 +1,7 @@
 //! What a channel says of a kernel.
 
 use super::line::{Failure, Line, Measured};
-use crate::convergence::Verdict;
+use crate::convergence::{ReportedError, Verdict};
 use crate::method::Expected;
 use std::fmt;
 
@@ -96,6 +96,10 @@ pub struct Judged<'a> {
     pub in_range: bool,
     /// Whether answers to the same request are the same.
     pub steady: bool,
+    /// Whether samples in the middles of segments find their order on these levels, as far as that is known.
+    pub resolved: bool,
+    /// Standard errors that the kernel reported.
+    pub reported: Option<ReportedError>,
 }
 
 /// Verdicts on errors that do not converge.
@@ -109,7 +113,8 @@ pub fn of(judged: &Judged<'_>) -> Standing {
     if !judged.failures.is_empty() {
         return Standing::Failed;
     }
-    if !judged.steady || judged.is_remarked {
+    let misreports = judged.reported.as_ref();
+    if !judged.steady || judged.is_remarked || misreports.is_some_and(ReportedError::is_wrong) {
         return Standing::Contradicted;
     }
     if verdict == Verdict::NotFinite {
@@ -141,7 +146,7 @@ pub fn of(judged: &Judged<'_>) -> Standing {
         }
         Some(of_method) => does_not_converge && verdict != of_method,
         // Of an order alone nobody knows on which cases it is higher.
-        None if is_order => misses,
+        None if is_order => misses && judged.resolved,
         // Whatever the order is, methods converge.
         None => {
             let converges = |verdict: &Verdict| !DOES_NOT.contains(verdict);
@@ -154,7 +159,9 @@ pub fn of(judged: &Judged<'_>) -> Standing {
     let mut of_methods = judged.of_method.iter().chain(judged.of_order).peekable();
     if contradicts {
         Standing::Contradicted
-    } else if of_methods.peek().is_some() && !of_methods.any(shows) {
+    } else if (judged.expected.is_some() && !judged.resolved)
+        || (of_methods.peek().is_some() && !of_methods.any(shows))
+    {
         Standing::Unresolved
     } else {
         Standing::Inconclusive

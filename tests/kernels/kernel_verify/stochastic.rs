@@ -1,7 +1,10 @@
 //! Kernels that draw random numbers: their scatter has the order, not one answer.
 
 use super::{SMOOTH, composite, part, run, settings, shown, subjects};
-use volver::kernel::{Closure, Declaration, FormKind, Kernel, Sampling, Task};
+use rug::Float;
+use volver::kernel::{
+    Closure, Declaration, FormKind, Kernel, KernelError, Rendering, Sampling, Task,
+};
 use volver::study::verify::{Conclusion, Measured, Settings, Standing, Verification};
 
 const LADDER: &str = "16..256";
@@ -67,11 +70,11 @@ fn one_sample_somewhere_in_every_segment_has_order_three_halves() {
     assert!(part(&verification, Standing::Confirmed) > 0.8, "{shown}");
     assert_eq!(verification.conclusion(), Conclusion::Confirmed, "{shown}");
     assert_eq!(verification.fingerprint, None);
-    let [finding] = &verification.findings[..] else {
-        panic!("{shown}");
-    };
     let words = "jittered samples, 1 - exp(-τd): mean and scatter agree in ";
-    assert!(finding.defect.starts_with(words), "{shown}");
+    let (_, wrong) = found(&verification, words).expect("said");
+    assert!(!wrong, "{shown}");
+    let mut findings = verification.findings.iter();
+    assert!(!findings.any(|finding| finding.wrong), "{shown}");
 }
 
 #[test]
@@ -137,4 +140,168 @@ fn a_kernel_that_does_not_say_that_it_draws_is_contradicted() {
     let defects: Vec<&str> = defects.collect();
     assert!(defects[0].starts_with("answers differ"), "{shown}");
     assert!(defects[1].starts_with("jittered samples"), "{shown}");
+}
+
+/// Words of what was found, and whether they speak against the kernel.
+fn found<'a>(verification: &'a Verification, words: &str) -> Option<(&'a str, bool)> {
+    let mut findings = verification.findings.iter();
+    let finding = findings.find(|one| one.defect.contains(words))?;
+    Some((&finding.defect, finding.wrong))
+}
+
+/// A thousandth too bright: a few standard errors at first, then seventeen and more.
+#[test]
+fn a_mean_that_is_off_is_contradicted() {
+    let mut kernel = Closure::new(declared(1.5), |task, channel| {
+        1.001 * jittered(task, channel)
+    });
+    let verification = verified(&mut kernel);
+    let shown = shown(&verification);
+    assert_eq!(
+        verification.conclusion(),
+        Conclusion::NotConfirmed,
+        "{shown}"
+    );
+    let (words, wrong) = found(&verification, "the mean is off").expect("said");
+    assert!(wrong, "{words}");
+    let all = verification.lines.iter();
+    let off = all.filter(|line| line.standing == Standing::Contradicted);
+    for line in off {
+        let Measured::Scattered(fit) = &line.measured else {
+            panic!("{line:?}");
+        };
+        let most = fit.most_biased().expect("a mean that is off");
+        assert!(most.mean.abs() > 5.0 * most.standard_error);
+    }
+    // Of the right kernel nothing of the kind is said.
+    let right = verified(&mut Closure::new(declared(1.5), jittered));
+    assert_eq!(found(&right, "the mean is off"), None);
+}
+
+/// n samples anywhere on the ray, each of them C τ T D with the exact T, and their standard error times a factor.
+#[derive(Debug)]
+struct MonteCarlo {
+    declaration: Declaration,
+    factor: f64,
+}
+
+impl Kernel for MonteCarlo {
+    fn declaration(&self) -> &Declaration {
+        &self.declaration
+    }
+
+    fn render(&mut self, task: &Task<'_>) -> Result<Rendering, KernelError> {
+        let mut random = Random::new(task);
+        let mut emission = vec![0.0; task.subject.channels().len()];
+        let length = task.subject.length().to_f64();
+        let count = task.segments as f64;
+        let mut values = vec![Vec::new(); emission.len()];
+        for _ in 0..task.segments {
+            let lambda = length * random.part();
+            // The depth in front of it, by samples in the middles of 64 segments.
+            let depths = (0..64).map(|j| {
+                let at = lambda * (f64::from(j) + 0.5) / 64.0;
+                task.subject.at(at, &mut emission) * lambda / 64.0
+            });
+            let passes = (-depths.sum::<f64>()).exp();
+            let extinction = task.subject.at(lambda, &mut emission);
+            for (values, emission) in values.iter_mut().zip(&emission) {
+                values.push(emission * extinction * passes * length);
+            }
+        }
+        let mean = |values: &Vec<f64>| values.iter().sum::<f64>() / count;
+        let error = |values: &Vec<f64>| {
+            let mean = mean(values);
+            let squares: f64 = values.iter().map(|value| (value - mean).powi(2)).sum();
+            (squares / (count - 1.0) / count).sqrt()
+        };
+        Ok(Rendering {
+            radiance: values
+                .iter()
+                .map(|v| Float::with_val(53, mean(v)))
+                .collect(),
+            standard_error: Some(values.iter().map(|v| self.factor * error(v)).collect()),
+            ..Rendering::default()
+        })
+    }
+}
+
+#[test]
+fn a_standard_error_that_is_not_the_scatter_is_contradicted() {
+    for (factor, right) in [(1.0, true), (10.0, false), (0.1, false)] {
+        let mut kernel = MonteCarlo {
+            declaration: Declaration {
+                sampling: None,
+                ..declared(0.5)
+            },
+            factor,
+        };
+        let verification = verified(&mut kernel);
+        let shown = shown(&verification);
+        let words = found(&verification, "standard errors that it reports");
+        assert_eq!(words.is_none(), right, "{factor}: {words:?}");
+        assert_eq!(
+            part(&verification, Standing::Contradicted) > 0.9,
+            !right,
+            "{shown}"
+        );
+        let confirmed = verification.conclusion() == Conclusion::Confirmed;
+        assert_eq!(confirmed, right, "{shown}");
+    }
+}
+
+#[test]
+fn seeds_that_repeat_are_counted() {
+    for (seeds, words) in [
+        (
+            1,
+            "the seed has no effect: the answers to all 30 seeds are the same",
+        ),
+        (4, "30 seeds have 4 different sets of answers"),
+    ] {
+        let mut kernel = Closure::new(declared(1.5), |task, channel| {
+            let few = Task {
+                seed: task.seed % seeds,
+                ..*task
+            };
+            jittered(&few, channel)
+        });
+        let verification = verified(&mut kernel);
+        assert_eq!(verification.different_seeds, Some(seeds as usize));
+        assert_eq!(verification.conclusion(), Conclusion::NotConfirmed);
+        let found = found(&verification, "seed").expect("said");
+        assert_eq!(found, (words, true));
+    }
+    let right = verified(&mut Closure::new(declared(1.5), jittered));
+    assert_eq!(right.different_seeds, Some(30));
+}
+
+#[test]
+fn the_same_seed_has_the_same_answer() {
+    let mut asked = 0;
+    let mut kernel = Closure::new(declared(1.5), move |task, channel| {
+        asked += 1;
+        let whenever = Task {
+            seed: asked,
+            ..*task
+        };
+        jittered(&whenever, channel)
+    });
+    let verification = verified(&mut kernel);
+    assert_eq!(part(&verification, Standing::Contradicted), 1.0);
+    let found = found(&verification, "the same seed").expect("said");
+    assert_eq!(found, ("the same seed has two answers", true));
+}
+
+#[test]
+fn too_few_seeds_are_said_to_be_too_few() {
+    let settings = Settings {
+        replicas: 8,
+        ..settings(LADDER)
+    };
+    let mut kernel = Closure::new(declared(1.5), jittered);
+    let verification = run(&mut kernel, &subjects(&SMOOTH), &settings);
+    let (words, wrong) = found(&verification, "8 seeds are too few").expect("said");
+    assert!(!wrong && words.contains("with --replicas "), "{words}");
+    assert_eq!(part(&verification, Standing::Contradicted), 0.0);
 }

@@ -1,10 +1,13 @@
 //! Stochastic methods of known order: the fit, its coverage, and every verdict.
 
 mod coverage;
+mod noise;
+mod truth;
 
 use crate::convergence::random::Random;
 use volver::convergence::{
-    OrderInterval, Replicas, ReplicasError, StochasticFit, Verdict, fit_replicas,
+    ErrorPart, OrderInterval, Replicas, ReplicasError, StochasticFit, Verdict, fit_replicas,
+    reported_error,
 };
 use volver::method::Expected;
 
@@ -51,8 +54,11 @@ fn contains(interval: OrderInterval, order: f64) -> bool {
 #[test]
 fn scatter_and_bias_have_orders_of_their_own() {
     let levels = replicas(60, 3, |d| 2.0 * d, |d| 0.3 * d.powf(1.5));
-    let fit = fit_replicas(&levels, order(1.5), 1).unwrap();
+    let fit = fit_replicas(&levels, order(1.0), 1).unwrap();
+    // The order of the error is the lower one.
     assert_eq!(fit.verdict, Verdict::Confirmed);
+    assert_eq!(fit.larger, ErrorPart::Bias);
+    assert_eq!(judged(&levels, order(1.5)), Verdict::TooLow);
     let (deviation, bias) = (fit.deviation.unwrap(), fit.bias.unwrap());
     assert!(
         contains(deviation, 1.5) && !contains(deviation, 1.0),
@@ -63,7 +69,7 @@ fn scatter_and_bias_have_orders_of_their_own() {
     assert!((bias.log2_constant - 1.0).abs() < 0.1);
     assert_eq!((deviation.levels, bias.levels, fit.replicas), (7, 7, 60));
     assert_eq!(judged(&levels, order(2.0)), Verdict::TooLow);
-    assert_eq!(judged(&levels, order(1.0)), Verdict::TooHigh);
+    assert_eq!(judged(&levels, order(0.5)), Verdict::TooHigh);
     assert_eq!(judged(&levels, Some(Expected::Exact)), Verdict::TooLow);
     assert_eq!(judged(&levels, None), Verdict::Fitted);
     assert_eq!(judged(&levels, BLIND), Verdict::Blind);
@@ -78,33 +84,43 @@ fn moments_of_a_worked_example() {
         floor: 0.0,
         errors: errors.iter().map(|e| e * step).collect(),
     };
-    let fit = fit_replicas(&[level(4.0), level(2.0), level(1.0)], None, 1).unwrap();
+    let levels = [8.0, 4.0, 2.0, 1.0].map(level);
+    let fit = fit_replicas(&levels, None, 1).unwrap();
     // Mean 2.5, Σ(e − 2.5)² = 10, variance 10/7, standard error √(10/7/8).
-    let moments = fit.levels[2];
+    let moments = fit.levels[3];
     assert!((moments.mean - 2.5).abs() < 1e-15);
     assert!((moments.deviation - (10.0_f64 / 7.0).sqrt()).abs() < 1e-15);
     assert!((moments.standard_error - (10.0_f64 / 56.0).sqrt()).abs() < 1e-15);
-    assert!(moments.biased && moments.above_floor);
-    // All levels are multiples of one another: whatever is resampled, both orders are 1.
-    for interval in [fit.deviation.unwrap(), fit.bias.unwrap()] {
-        for end in [interval.low, interval.order, interval.high] {
-            assert!((end - 1.0).abs() < 1e-12);
-        }
-    }
-    assert_eq!(fit.verdict, Verdict::TooFewLevels);
+    // t = 2.5/√(10/56) = 5.9; of 8 replicas and 4 levels the quantile is 11.7.
+    assert!(!moments.biased && moments.above_floor);
+    assert_eq!(fit.bias, None);
+    // All levels are multiples of one another: whatever is resampled, the order is 1. It is believed to 2 % a level:
+    // 3.2905·0.02/ln 2 over √Σ(x − x̄)² = √5.
+    let interval = fit.deviation.unwrap();
+    assert!((interval.order - 1.0).abs() < 1e-12);
+    let believed = 3.290_527 * 0.02 / 2_f64.ln() / 5_f64.sqrt();
+    assert!((interval.half_width() - believed).abs() < 1e-6);
+    let three = fit_replicas(&levels[..3], None, 1).unwrap();
+    assert_eq!(
+        (three.verdict, three.deviation),
+        (Verdict::TooFewLevels, None)
+    );
 }
 
 #[test]
 fn a_bias_lost_in_the_scatter_has_no_order() {
     let levels = replicas(30, 5, |_| 0.0, |d| d);
     assert_eq!(fit_replicas(&levels, order(1.0), 1).unwrap().bias, None);
-    // Significant at the coarse levels is enough.
+    // Significant at the coarse levels is enough, and the means of all levels count.
     let fit = fit_replicas(&replicas(30, 5, |d| 30.0 * d * d, |d| d), order(1.0), 1).unwrap();
     let bias = fit.bias.unwrap();
-    assert!(bias.levels < 7 && contains(bias, 2.0), "{bias:?}");
+    assert!(bias.levels == 7 && contains(bias, 2.0), "{bias:?}");
+    // Of 30 replicas and 7 levels, the quantile of t at 3e-5/7 on two sides, by scipy: 5.641.
     for level in &fit.levels {
-        assert_eq!(level.biased, level.mean.abs() >= 2.0 * level.standard_error);
+        let errors = level.mean.abs() / level.standard_error;
+        assert_eq!(level.biased, errors > 5.641, "{errors}");
     }
+    assert!(fit.levels[0].biased && !fit.levels[6].biased);
 }
 
 #[test]
@@ -117,6 +133,99 @@ fn a_bias_that_stays_is_stalled_whatever_the_scatter_does() {
     // Seen, but still below the scatter at the finest level: more levels would tell.
     let below = replicas(60, 7, |_| 0.001, |d| d);
     assert_eq!(judged(&below, order(1.0)), Verdict::Confirmed);
+}
+
+/// Seventeen standard errors at the finest level, where the bias is still a small part of the scatter.
+#[test]
+fn a_bias_that_may_stay_is_never_confirmed() {
+    let finest = 0.5_f64.powi(9);
+    let bias = 17.0 * finest.powf(1.5) / 60_f64.sqrt();
+    for seed in 0..5 {
+        let fit = fit_replicas(
+            &replicas(60, seed, |_| bias, |d| d.powf(1.5)),
+            order(1.5),
+            1,
+        );
+        let fit = fit.unwrap();
+        assert_eq!(fit.verdict, Verdict::TooLow);
+        assert!(fit.bias_may_stay && fit.most_biased().unwrap().step == finest);
+        // Where no order is expected it is said all the same.
+        let half = fit_replicas(&replicas(60, seed, |_| bias, |d| d.powf(1.5)), None, 1);
+        assert!(half.unwrap().bias_may_stay);
+    }
+    // A bias that falls faster than the scatter is none that stays.
+    let falls = replicas(60, 1, |d| 20.0 * d * d, |d| d.powf(1.5));
+    let fit = fit_replicas(&falls, order(1.5), 1).unwrap();
+    assert_eq!(
+        (fit.verdict, fit.bias_may_stay),
+        (Verdict::Confirmed, false)
+    );
+    assert!(contains(fit.bias.unwrap(), 2.0));
+}
+
+#[test]
+fn the_floor_ends_a_ladder_by_the_larger_error() {
+    // A bias 20 000 times the scatter, whose scatter lies below the floor.
+    let mut levels = replicas(30, 2, |d| d * d, |d| 5e-5 * d * d);
+    for level in &mut levels {
+        level.floor = 1e-7;
+    }
+    let fit = fit_replicas(&levels, order(2.0), 1).unwrap();
+    assert_eq!(fit.verdict, Verdict::Confirmed);
+    assert_eq!((fit.larger, fit.deviation), (ErrorPart::Bias, None));
+    assert!(contains(fit.bias.unwrap(), 2.0));
+    assert_eq!(judged(&levels, order(3.0)), Verdict::TooLow);
+    assert_eq!(judged(&levels, order(1.0)), Verdict::TooHigh);
+}
+
+/// s = d^(3/2)/(1 + (16d)²): flat at n = 8, of order 3/2 from 64 on.
+#[test]
+fn coarse_levels_that_are_not_asymptotic_do_not_belong_to_the_fit() {
+    let starts = |d: f64| d.powf(1.5) / (1.0 + (16.0 * d).powi(2));
+    for seed in 0..5 {
+        let levels = replicas(60, seed, |_| 0.0, starts);
+        let fit = fit_replicas(&levels, order(1.5), 1).unwrap();
+        assert!(fit.deviation.is_none_or(|i| i.levels < 7));
+        assert!(matches!(
+            fit.verdict,
+            Verdict::Confirmed | Verdict::PreAsymptotic
+        ));
+    }
+}
+
+#[test]
+fn reported_standard_errors_are_compared_with_the_scatter() {
+    let levels = replicas(30, 4, |_| 0.0, |d| d);
+    let times = |factor: f64| -> Vec<Vec<f64>> {
+        let of = |level: &Replicas| vec![factor * level.step; 30];
+        levels.iter().map(of).collect()
+    };
+    for (factor, wrong) in [
+        (0.1, true),
+        (0.4, true),
+        (1.0, false),
+        (1.2, false),
+        (2.5, true),
+        (10.0, true),
+    ] {
+        let found = reported_error(&levels, &times(factor), 1).unwrap();
+        assert_eq!(found.is_wrong(), wrong, "{factor}: {found:?}");
+        // Four levels of 30 replicas: 0.13/√4 each way.
+        assert!((found.ratio / factor).ln().abs() < 0.3, "{found:?}");
+        assert!(found.low < found.ratio && found.ratio < found.high);
+    }
+    for bad in [-1.0, f64::NAN, f64::INFINITY, 0.0] {
+        let mut reported = times(1.0);
+        reported[6] = vec![bad; 30];
+        let found = reported_error(&levels, &reported, 1).unwrap();
+        assert!(found.is_wrong(), "{bad}: {found:?}");
+    }
+    let mut incomplete = times(1.0);
+    incomplete[6].pop();
+    assert_eq!(reported_error(&levels, &incomplete, 1), None);
+    assert_eq!(reported_error(&levels[..3], &times(1.0), 1), None);
+    let constant = replicas(30, 4, |d| d, |_| 0.0);
+    assert_eq!(reported_error(&constant, &times(1.0), 1), None);
 }
 
 #[test]
@@ -263,4 +372,17 @@ fn bad_input_is_named() {
         fit_replicas(&good, infinite, 1),
         Err(ReplicasError::Expectation { .. })
     ));
+}
+
+/// A feature that no replica of one level has hit: their errors agree, and are no bias.
+#[test]
+fn replicas_that_agree_by_chance_have_no_standard_error_of_their_own() {
+    let mut levels = replicas(30, 21, |_| 0.0, |d| d);
+    levels[5].errors = vec![-0.1 * levels[5].step; 30];
+    let fit = fit_replicas(&levels, order(1.0), 1).unwrap();
+    assert!(fit.levels.iter().all(|level| !level.biased));
+    // Far off what scatters at the level before, they are.
+    levels[5].errors = vec![-10.0 * levels[5].step; 30];
+    let fit = fit_replicas(&levels, order(1.0), 1).unwrap();
+    assert!(fit.levels[5].biased && !fit.levels[4].biased);
 }

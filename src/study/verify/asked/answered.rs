@@ -1,9 +1,10 @@
 //! What comes of a kernel's answers.
 
+use super::resolved::Middles;
 use super::used::lookups;
 use super::{Answers, Asked};
 use crate::case::Case;
-use crate::convergence::{Replicas, Sample, Verdict, fit, fit_replicas};
+use crate::convergence::{Replicas, Sample, Verdict, fit, fit_replicas, reported_error};
 use crate::diagnosis::{Ray, Watched, WatchedLevel};
 use crate::kernel::{Cut, FormKind, KernelError, Rendering};
 use crate::method::Expected;
@@ -39,6 +40,7 @@ impl Asked<'_> {
         };
         let of_tables = self.of_tables(channel)?;
         let mut radiances = Radiances::new(stepwise);
+        let mut middles = Middles::default();
         let mut failures = Vec::new();
         let mut in_range = true;
         let mut watched = Watched {
@@ -97,17 +99,30 @@ impl Asked<'_> {
             floor += self.not_refined(level, channel, &ray) + of_tables;
             let finite = |nominal: &Nominal| nominal.in_format.is_finite();
             in_range = in_range && declared.as_ref().is_none_or(finite);
-            radiances.push(segments, n, step, values, floor, declared.map(|d| d.exact));
+            if self.declaration.stochastic {
+                middles.push(n, step, &ray, &radiances.exact, &floor);
+            }
+            let reported = renderings.iter().filter_map(|rendering| {
+                let errors = rendering.standard_error.as_ref()?;
+                errors.get(channel).copied()
+            });
+            let (reported, nominal) = (reported.collect(), declared.map(|d| d.exact));
+            radiances.push(segments, n, step, values, floor, nominal, reported);
         }
         let steady = Self::is_steady(channel, answers);
         let line = Line {
             unproved,
-            ..self.judged(channel, radiances, failures, (steady, in_range))?
+            ..self.judged(
+                channel,
+                radiances,
+                failures,
+                (steady, in_range, middles.are_resolved()),
+            )?
         };
         Ok((line, watched))
     }
 
-    /// Whether a kernel that is said to be deterministic answers the same twice.
+    /// Whether a kernel answers the same twice: one that draws random numbers to the same seed.
     fn is_steady(channel: usize, answers: &Answers) -> bool {
         let first = answers.levels.first().and_then(|level| level.first());
         match (first, &answers.again) {
@@ -121,8 +136,8 @@ impl Asked<'_> {
 
     /// The second radiance of the coarsest level.
     fn again(channel: usize, answers: &Answers) -> Option<f64> {
-        let of_replicas = || answers.levels.first()?.get(1);
-        let second = answers.again.as_ref().or_else(of_replicas)?;
+        let of_replicas = answers.levels.first().and_then(|level| level.get(1));
+        let second = of_replicas.or(answers.again.as_ref())?;
         let rendering = second.as_ref().ok()?;
         Some(rendering.radiance.get(channel)?.to_f64())
     }
@@ -161,13 +176,15 @@ impl Asked<'_> {
         channel: usize,
         radiances: Radiances,
         failures: Vec<Failure>,
-        (steady, in_range): (bool, bool),
+        (steady, in_range, resolved): (bool, bool, bool),
     ) -> Result<Line, VerifyError> {
         let case = &self.subject.cases()[channel];
         let expected = expectation::of(self.declaration, self.settings, case);
         let name = case.name().to_string();
+        let mut reported = None;
         let measured = if self.declaration.stochastic {
             let levels: Vec<Replicas> = radiances.replicas();
+            reported = reported_error(&levels, &radiances.reported(), 0);
             if levels.len() < 3 {
                 Measured::Nothing
             } else {
@@ -189,7 +206,8 @@ impl Asked<'_> {
             }
         };
         // Against another order than its own the method is no measure.
-        let own = self.settings.expect.is_none();
+        // Nor is one run of a method that draws random numbers.
+        let own = self.settings.expect.is_none() && !self.declaration.stochastic;
         let nominal = own.then(|| radiances.nominal_samples()).flatten();
         let levels = radiances.counted_samples();
         let is_declared = nominal.is_some();
@@ -221,6 +239,8 @@ impl Asked<'_> {
             is_remarked: !remarks.is_empty(),
             in_range,
             steady,
+            resolved,
+            reported,
         });
         Ok(Line {
             name,
@@ -233,6 +253,7 @@ impl Asked<'_> {
             right_to_quantum: self.right_to_quantum(&levels, &peers),
             remarks,
             steady,
+            reported,
             standing,
         })
     }

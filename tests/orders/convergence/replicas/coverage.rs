@@ -1,27 +1,9 @@
 //! How often the intervals contain the true order: measured on synthetic replicas.
 
+use super::noise::Noise;
 use crate::convergence::random::Random;
 use volver::convergence::{OrderInterval, Replicas, Verdict, fit_replicas};
 use volver::method::Expected;
-
-/// Distributions of mean 0 and variance 1.
-#[derive(Clone, Copy, Debug)]
-enum Noise {
-    Normal,
-    Uniform,
-    /// χ² of one degree of freedom: skewed, with heavy tails.
-    ChiSquared,
-}
-
-impl Noise {
-    fn draw(self, random: &mut Random) -> f64 {
-        match self {
-            Noise::Normal => random.normal(),
-            Noise::Uniform => random.uniform(-1.0, 1.0) * 3_f64.sqrt(),
-            Noise::ChiSquared => (random.normal().powi(2) - 1.0) / 2_f64.sqrt(),
-        }
-    }
-}
 
 #[derive(Default)]
 struct Count {
