@@ -22,7 +22,7 @@ Examples:
   printf '.4 8e-2\\n.2 2e-2\\n.1 5e-3\\n.05 1.25e-3\\n' | volver fit - --expect 2
   printf 'n,v\\n4,1.01\\n8,1.005\\n16,1.0025\\n32,1.00125\\n' | volver fit - --exact 1
   printf '8 1.80000\\n4 1.4\\n2 1.2\\n1 1.1\\n.5 1.05\\n' | volver fit - --richardson
-  printf 'h,e,se\\n4,8,.1\\n2,4.1,.1\\n1,2,.1\\n.5,1,.1\\n' | volver fit - --at-least .8
+  printf '8 8.01\\n4 4\\n2 2\\n1 1\\n.5 .5\\n' | volver fit - --at-least .9
   printf 'h,e\\n4,0\\n2,0\\n1,0\\n.5,0\\n' | volver fit - --expect exact --json
 
 Work: at most 64 MiB and 1048576 rows are read; time and memory grow with the rows.

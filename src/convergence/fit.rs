@@ -167,13 +167,13 @@ pub fn fit(samples: &[Sample], expected: Option<Expected>) -> Result<Fit, FitErr
             Some(_) if regression.is_some() || trend != Trend::Growing => {
                 Trend::of(&levels.points[..levels.usable])
             }
+            _ if trend == Trend::Converging && alternate(&orders) => Trend::Swinging,
             _ => trend,
         },
         late_sign_changes: usable
             .iter()
             .filter(|p| p.sign_change && p.coarse + 4 >= levels.usable)
             .count(),
-        alternates: alternate(&orders),
         estimate: regression.map(|r| r.estimate),
     };
     let verdict = judge(&evidence, expected);

@@ -131,6 +131,8 @@ pub enum Trend {
     Flat,
     /// At an order of 0.1 or more from some level to the next, or in no direction that shows.
     Converging,
+    /// At orders that rise and fall in turn: [`alternate`].
+    Swinging,
 }
 
 /// Levels whose pairwise orders all lie this near to 0 stay where they are, however they jitter …
@@ -218,8 +220,6 @@ pub struct Evidence {
     pub trend: Trend,
     /// Sign changes among the last four usable levels.
     pub late_sign_changes: usize,
-    /// Orders rise and fall in turn: [`alternate`].
-    pub alternates: bool,
     /// The order of the window, where there is one.
     pub estimate: Option<Estimate>,
 }
@@ -252,7 +252,7 @@ pub fn judge(evidence: &Evidence, expected: Option<Expected>) -> Verdict {
         Some(e) => (Trend::Converging, e.sign_change),
         None => (
             evidence.trend,
-            evidence.late_sign_changes >= 2 || evidence.alternates,
+            evidence.late_sign_changes >= 2 || evidence.trend == Trend::Swinging,
         ),
     };
     if evidence.beyond == Beyond::Growth || trend == Trend::Growing {

@@ -474,12 +474,9 @@ fn errors_have_standard_errors_where_a_column_says_so() {
         (2, 2.05, 0.07),
         (1, 0.98, 0.04),
     ];
-    let mut table = String::from("h,error,stderr\n");
-    let mut bare = String::new();
-    for (h, error, size) in rows {
-        table.push_str(&format!("{h},{error},{size}\n"));
-        bare.push_str(&format!("{h},{error}\n"));
-    }
+    let uncertain = rows.map(|(h, error, size)| format!("{h},{error},{size}\n"));
+    let table = format!("h,error,stderr\n{}", uncertain.concat());
+    let bare = rows.map(|(h, error, _)| format!("{h},{error}\n")).concat();
     let with = json(&["fit", "-"], &table);
     let without = json(&["fit", "-"], &bare);
     assert!((number(&with["order"]) - 1.0).abs() < number(&with["half_width"]));
@@ -534,13 +531,13 @@ fn without_a_window_no_order_and_no_constant_is_printed() {
 
 #[test]
 fn remarks_are_put_in_words() {
-    let change: String = (0..10)
+    let rows: Vec<String> = (0..10)
         .map(|k| {
             let h = 0.5_f64.powi(k);
             format!("{h:e},{:e}\n", h * h + h / 64.0)
         })
         .collect();
-    volver(&["fit", "-"], &change).assert().stdout(says(
+    volver(&["fit", "-"], &rows.concat()).assert().stdout(says(
         "note",
         "order 2 gives way to order 1 at step 1.5625e-2\n",
     ));

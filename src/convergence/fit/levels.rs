@@ -51,8 +51,8 @@ impl<'a> Levels<'a> {
             samples,
             floors,
             at_floor,
-            noise,
             points,
+            noise,
             usable,
         }
     }

@@ -49,15 +49,19 @@ impl Asymptote {
         let regression = match drift {
             Drift::Growing => return Asymptote::Growing,
             Drift::Slow { next } => match logarithm::logarithm(&locals) {
-                Some((order, width)) => regress(window, levels, |_| (order, width), true),
+                Some((order, width)) => {
+                    regress(window, levels, |_| (order, width), GoesOn::Logarithm)
+                }
                 None => return Asymptote::Slow(next),
             },
-            Drift::Settling { order, width } => regress(window, levels, |_| (order, width), false),
+            Drift::Settling { order, width } => {
+                regress(window, levels, |_| (order, width), GoesOn::Power)
+            }
             Drift::Still { width } => regress(
                 window,
                 levels,
                 |line| (line.order, line.width(width)),
-                false,
+                GoesOn::No,
             ),
         };
         regression.map_or(Asymptote::Open, Asymptote::Order)
@@ -70,6 +74,14 @@ impl Asymptote {
             _ => None,
         }
     }
+}
+
+/// Whether pairwise orders go on beyond the finest level.
+#[derive(Clone, Copy, PartialEq, Eq)]
+enum GoesOn {
+    No,
+    Power,
+    Logarithm,
 }
 
 /// Least squares in a window, and what the pairwise orders there leave open.
@@ -93,7 +105,7 @@ fn regress(
     window: Window,
     levels: &Levels<'_>,
     order: impl Fn(&InWindow) -> (f64, f64),
-    logarithm: bool,
+    goes_on: GoesOn,
 ) -> Option<Regression> {
     let inside = levels.points.get(window.first..=window.last)?;
     let all = levels.locals();
@@ -120,11 +132,12 @@ fn regress(
     let rounding = 8.0 * f64::EPSILON * magnitude / log2_ratio;
     let half_width = spread + floor_share + rounding;
     // A drift is smallest at the finest level.
-    let log2_constant = if order == line.slope {
-        line.intercept
-    } else {
-        let (x, y) = *inside.last()?;
-        y - order * x
+    let log2_constant = match goes_on {
+        GoesOn::No => line.intercept,
+        GoesOn::Power | GoesOn::Logarithm => {
+            let (x, y) = *inside.last()?;
+            y - order * x
+        }
     };
     let sign_change = levels
         .signs(window)
@@ -139,6 +152,6 @@ fn regress(
             sign_change,
         },
         log2_constant,
-        logarithm,
+        logarithm: goes_on == GoesOn::Logarithm,
     })
 }

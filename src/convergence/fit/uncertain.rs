@@ -106,7 +106,6 @@ pub fn fit_uncertain(
         late_sign_changes: above(&pairs)
             .filter(|p| p.sign_change && p.coarse + MIN_WINDOW >= points.len())
             .count(),
-        alternates: false,
         estimate,
     };
     let heights: Vec<(f64, f64)> = points.iter().map(|p| (p.0, p.1)).collect();

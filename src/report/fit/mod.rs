@@ -107,9 +107,10 @@ fn facts(fitted: &Fitted) -> Vec<Fact> {
     let verdict = format!("{}{expected}", fit.verdict);
     facts.push(Fact::new("verdict", verdict).toned(tone(fit.verdict)));
     if let (Some(least), Some(reaches)) = (fitted.at_least, fitted.reaches()) {
-        let (said, tone) = match reaches {
-            true => ("yes", Tone::Good),
-            false => ("no", Tone::Bad),
+        let (said, tone) = if reaches {
+            ("yes", Tone::Good)
+        } else {
+            ("no", Tone::Bad)
         };
         facts.push(Fact::new("at least", format!("{least}: {said}")).toned(tone));
     }
@@ -135,10 +136,8 @@ fn window(window: &Window) -> String {
         ),
     };
     let levels = window.last + 1 - window.first;
-    format!(
-        "{range}, {levels} levels, pairwise orders within {}",
-        window.tolerance
-    )
+    let within = (window.tolerance * 1000.0).ceil() / 1000.0;
+    format!("{range}, {levels} levels, pairwise orders within {within}")
 }
 
 fn floor(fitted: &Fitted) -> String {

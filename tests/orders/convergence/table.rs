@@ -8,7 +8,7 @@ fn errors(text: &str) -> Vec<(f64, f64)> {
         Levels::Errors(samples) | Levels::Uncertain(samples, _) => {
             samples.iter().map(|s| (s.step, s.error.to_f64())).collect()
         }
-        other => panic!("{other:?}"),
+        other @ Levels::Values(_) => panic!("{other:?}"),
     }
 }
 

@@ -60,11 +60,10 @@ fn a_drift_that_grows_makes_no_window() {
 #[test]
 fn one_order_gives_way_to_another() {
     let change = |fit: &Fit| {
-        let found = fit.notes.iter().find_map(|note| match note {
+        fit.notes.iter().find_map(|note| match note {
             Note::GivesWay { from, to, step } => Some((*from, *to, *step)),
             _ => None,
-        });
-        found
+        })
     };
     for sign in [1.0, -1.0] {
         // A gradient that is wrong in its first order.

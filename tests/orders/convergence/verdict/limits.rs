@@ -44,7 +44,6 @@ fn the_limits_of_convergence_and_of_the_interval_are_inclusive() {
             beyond: Beyond::Nothing,
             trend: Trend::Converging,
             late_sign_changes: 0,
-            alternates: false,
             estimate: Some(Estimate {
                 order,
                 half_width,
