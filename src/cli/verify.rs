@@ -99,6 +99,7 @@ fn settings(ladder: Option<&Ladder>, axis: Axis) -> Result<Settings, Failure> {
         None => Settings::standard(axis),
         Some(ladder) => Settings::new(ladder).map(|settings| Settings { axis, ..settings }),
     };
+    let settings = settings.and_then(Settings::with_enough_levels);
     settings.map_err(|error| Failure::Usage(format!("--ladder: {error}")))
 }
 

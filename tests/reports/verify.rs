@@ -8,7 +8,15 @@ use volver::kernel::{Closure, Declaration, FormKind, KernelError, Segments, Subj
 use volver::render::{markdown, terminal};
 use volver::report::verify::{document, heading, json, junit, row, scattered_heading};
 use volver::study::Silent;
-use volver::study::verify::{Failure, Finding, Measured, Settings, Standing, Verification, verify};
+use volver::study::verify::{Failure, Finding, Measured, Settings, Standing, Steps, Verification, verify};
+
+/// By steps that divide the ray.
+fn divided(ladder: &str) -> Settings {
+    Settings {
+        steps: Steps::Divide,
+        ..Settings::new(&ladder.parse::<Ladder>().unwrap()).unwrap()
+    }
+}
 
 fn about() -> About {
     About::new(["volver", "verify"])
@@ -43,7 +51,7 @@ fn verification(cases: &[&str], ladder: &str, front: bool) -> Verification {
     let mut kernel = Closure::new(declaration, |task, channel| {
         composite(task.cut().unwrap(), channel, front)
     });
-    let settings = Settings::new(&ladder.parse::<Ladder>().unwrap()).unwrap();
+    let settings = divided(ladder);
     verify(&mut kernel, &subjects, &settings, &Silent, &mut |_| ()).unwrap()
 }
 
@@ -295,7 +303,7 @@ fn every_channel_with_errors_has_a_row_and_a_figure() {
     assert!(text.contains("\n| vacuum | exact | - | - | "), "{text}");
     assert!(text.contains("| Exact | confirmed |\n"), "{text}");
     for fact in [
-        "- **levels**: n = 8…64\n",
+        "- **levels**: n = 8…64, d = D/n\n",
         "- **declared order**: none\n",
         "- **format**: f64\n",
     ] {
@@ -367,7 +375,7 @@ fn scattered() -> Verification {
         }
         radiance
     });
-    let settings = Settings::new(&"8..256".parse::<Ladder>().unwrap()).unwrap();
+    let settings = divided("8..256");
     verify(&mut kernel, &[subject], &settings, &Silent, &mut |_| ()).unwrap()
 }
 

@@ -46,10 +46,15 @@ pub(super) fn order(line: &Line) -> String {
         Measured::Nothing => false,
     };
     match line.measured.order() {
-        Some((order, half_width)) if is_windowed => format!("{order:.3} ± {half_width:.3}"),
+        Some((order, half_width)) if is_windowed => format!("{order:.3} ± {:.3}", up(half_width)),
         Some((order, _)) => format!("~{order:.2}"),
         None => NONE.into(),
     }
+}
+
+/// Rounded up to three decimals: no interval becomes a point.
+fn up(half_width: f64) -> f64 {
+    (half_width * 1000.0).ceil() / 1000.0
 }
 
 /// The levels of the window: "64…512", or which of the levels they are where n is not the same thing: "#3…#8".

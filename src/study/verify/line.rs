@@ -1,5 +1,6 @@
 //! What a kernel shows on one channel of a case.
 
+use super::nominal::Nominal;
 use super::{Remark, Standing};
 use crate::case::Unproved;
 use crate::convergence::{ErrorPart, Fit, Replicas, ReportedError, Sample, StochasticFit, Verdict};
@@ -140,18 +141,19 @@ pub(super) struct Radiances {
     levels: Vec<LevelRadiances>,
 }
 
-struct LevelRadiances {
+/// Those of one level.
+pub(super) struct LevelRadiances {
     /// Segments of the ray.
-    segments: u64,
-    n: Option<u64>,
-    step: f64,
+    pub(super) segments: u64,
+    pub(super) n: Option<u64>,
+    pub(super) step: f64,
     /// By seed.
-    values: Vec<Float>,
-    floor: Float,
+    pub(super) values: Vec<Float>,
+    pub(super) floor: Float,
     /// Of the declared method.
-    nominal: Option<Float>,
+    pub(super) nominal: Option<Nominal>,
     /// Standard errors that the kernel reports, by seed.
-    reported: Vec<f64>,
+    pub(super) reported: Vec<f64>,
 }
 
 impl Radiances {
@@ -162,29 +164,12 @@ impl Radiances {
         }
     }
 
-    pub(super) fn push(
-        &mut self,
-        segments: u64,
-        n: Option<u64>,
-        step: f64,
-        values: Vec<Float>,
-        floor: Float,
-        nominal: Option<Float>,
-        reported: Vec<f64>,
-    ) {
+    pub(super) fn push(&mut self, level: LevelRadiances) {
         // A kernel that says it used the same step again has not refined: that level adds nothing.
-        if self.levels.last().is_some_and(|last| last.step <= step) {
-            return;
+        let refines = |last: &LevelRadiances| level.step < last.step;
+        if self.levels.last().is_none_or(refines) {
+            self.levels.push(level);
         }
-        self.levels.push(LevelRadiances {
-            segments,
-            n,
-            step,
-            values,
-            floor,
-            nominal,
-            reported,
-        });
     }
 
     fn error(&self, value: &Float) -> Float {
@@ -209,13 +194,13 @@ impl Radiances {
         counts.zip(self.samples()).collect()
     }
 
-    /// Those of the declared method itself, where it has one at every level.
-    pub(super) fn nominal_samples(&self) -> Option<Vec<Sample>> {
+    /// Those of the declared method itself, exactly or in the declared format, where it has one at every level.
+    pub(super) fn nominal_samples(&self, of: impl Fn(&Nominal) -> &Float) -> Option<Vec<Sample>> {
         let sample = |level: &LevelRadiances| {
             Some(Sample {
                 n: level.n,
                 step: level.step,
-                error: self.error(level.nominal.as_ref()?),
+                error: self.error(of(level.nominal.as_ref()?)),
                 floor: level.floor.clone(),
             })
         };

@@ -94,6 +94,12 @@ pub enum SettingsError {
     /// Too few or too many replicas.
     #[error("no number of seeds (allowed: {MIN_REPLICAS} to {MAX_REPLICAS})")]
     Replicas,
+    /// Too few levels.
+    #[error("{levels} levels show no order (allowed: {MIN_LEVELS} or more)")]
+    Levels {
+        /// How many.
+        levels: usize,
+    },
     /// A kernel that takes multiples of so many segments, and a ladder with too few of them.
     #[error(
         "a kernel that takes multiples of {multiple} segments, on which the ladder leaves {levels} (allowed: {MIN_LEVELS} or more levels)"
@@ -145,6 +151,17 @@ impl Settings {
             entries: TABLE_ENTRIES,
             replicas: REPLICAS,
         })
+    }
+
+    /// The same, where there are levels enough for an order.
+    ///
+    /// # Errors
+    /// [`SettingsError::Levels`].
+    pub fn with_enough_levels(self) -> Result<Self, SettingsError> {
+        match self.ladder.len() {
+            levels if levels < MIN_LEVELS => Err(SettingsError::Levels { levels }),
+            _ => Ok(self),
+        }
     }
 
     /// An order to expect, as text has it: a decimal or a quotient.

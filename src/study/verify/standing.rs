@@ -90,6 +90,9 @@ pub struct Judged<'a> {
     pub of_method: Option<Verdict>,
     /// Those on methods of the declared order where no method is, run in the declared format on the same levels.
     pub of_order: &'a [Verdict],
+    /// Whether the declared method, exactly and in the declared format, or any of the declared order is confirmed on these
+    /// levels; `None` where there is no method to ask.
+    pub resolvable: Option<bool>,
     /// Whether something is visibly wrong, whatever the order is.
     pub is_remarked: bool,
     /// Whether the declared method, if there is one, has a value at every level in the declared format.
@@ -155,13 +158,12 @@ pub fn of(judged: &Judged<'_>) -> Standing {
                 && judged.of_order.iter().all(converges)
         }
     };
-    let shows = |verdict: &Verdict| verdict.passes(judged.expected);
-    let mut of_methods = judged.of_method.iter().chain(judged.of_order).peekable();
+    // What was not refined is the kernel's.
+    let is_ladder = verdict != Verdict::TooFewLevels;
+    let unresolved = judged.resolvable == Some(false) || !judged.resolved;
     if contradicts {
         Standing::Contradicted
-    } else if (judged.expected.is_some() && !judged.resolved)
-        || (of_methods.peek().is_some() && !of_methods.any(shows))
-    {
+    } else if unresolved && is_ladder && judged.expected.is_some() {
         Standing::Unresolved
     } else {
         Standing::Inconclusive

@@ -147,13 +147,11 @@ fn assert_fits(run: &Run) {
 #[test]
 fn everything_fits_80_columns() {
     let all = volver(&["verify", METHOD]).with_code(0);
-    // The longest name, and the longest verdict.
+    // The longest name. A row a channel, but for those that nothing resolves: they are named below.
     all.shows("✓ oscillating-extinction 2 ");
-    all.shows("PreAsymptotic");
-    assert_eq!(
-        all.out.lines().take_while(|line| !line.is_empty()).count(),
-        59
-    );
+    let rows = all.out.lines().take_while(|line| !line.is_empty()).count() - 1;
+    all.shows(&format!(" {} not resolved, ", 58 - rows));
+    all.shows("! not resolved: balanced-jump, emission-jump, ");
     assert_fits(&all);
     let ladder: Vec<String> = (4..=33).map(|n| (8 * n).to_string()).collect();
     let thirty = ["--ladder", &ladder.join(",")];
@@ -164,8 +162,6 @@ fn everything_fits_80_columns() {
         assert_fits(&failed.with_code(1));
     }
     let uneven = fixture(&["--uneven"], &[]);
-    // Windows are of levels there, and columns stay where they are.
-    assert!(uneven.row("thick").contains("…#"), "{}", uneven.out);
     for case in ["sine-squared", "thick", "cloud"] {
         let columns: Vec<char> = uneven.row(case).chars().collect();
         let verdict = (columns[66], columns[67].is_uppercase());

@@ -3,15 +3,15 @@
 use super::resolved::Middles;
 use super::used::lookups;
 use super::{Answers, Asked};
-use crate::case::Case;
-use crate::convergence::{Replicas, Sample, Verdict, fit, fit_replicas, reported_error};
+use crate::case::{Case, SymbolicCase};
+use crate::convergence::{FitError, Replicas, Sample, fit, fit_replicas, reported_error};
 use crate::diagnosis::{Ray, Watched, WatchedLevel};
 use crate::kernel::{Cut, FormKind, KernelError, Rendering};
 use crate::method::Expected;
 use crate::real::Native;
-use crate::study::verify::line::{Failure, Line, Measured, Radiances};
+use crate::study::verify::line::{Failure, LevelRadiances, Line, Measured, Radiances};
 use crate::study::verify::nominal::{self, Nominal};
-use crate::study::verify::peers::{self, Peer};
+use crate::study::verify::peers::{Peer, Peers};
 use crate::study::verify::remark::remarks;
 use crate::study::verify::standing::{self, Judged};
 use crate::study::verify::{Axis, VerifyError, expectation, truth};
@@ -106,8 +106,15 @@ impl Asked<'_> {
                 let errors = rendering.standard_error.as_ref()?;
                 errors.get(channel).copied()
             });
-            let (reported, nominal) = (reported.collect(), declared.map(|d| d.exact));
-            radiances.push(segments, n, step, values, floor, nominal, reported);
+            radiances.push(LevelRadiances {
+                segments,
+                n,
+                step,
+                values,
+                floor,
+                nominal: declared,
+                reported: reported.collect(),
+            });
         }
         let steady = Self::is_steady(channel, answers);
         let line = Line {
@@ -142,20 +149,41 @@ impl Asked<'_> {
         Some(rendering.radiance.get(channel)?.to_f64())
     }
 
-    /// The order whose methods are asked too: where one is declared, and no method, on rays that these can be run on.
-    fn order_of_peers(&self, expected: Option<Expected>) -> Option<f64> {
+    /// The methods that a channel is measured by: the declared one, or those of the declared order on rays that these can
+    /// be run on. None where random numbers are drawn: one run shows no order.
+    fn peers(
+        &self,
+        case: &SymbolicCase,
+        radiances: &Radiances,
+        levels: &[(u64, Sample)],
+        expected: Option<Expected>,
+    ) -> Result<Peers, FitError> {
+        if self.declaration.stochastic {
+            return Ok(Peers::None);
+        }
+        // Against another order than its own the method is no measure.
+        if self.settings.expect.is_none() {
+            let exact = radiances.nominal_samples(|nominal| &nominal.exact);
+            let in_format = radiances.nominal_samples(|nominal| &nominal.in_format);
+            if let (Some(exact), Some(in_format)) = (exact, in_format) {
+                return Peers::of_method(exact, in_format, expected);
+            }
+        }
         let runs = self.settings.axis == Axis::Step
             && self.declaration.form != FormKind::Volume
-            && !self.declaration.far_wall
-            && !self.declaration.stochastic;
-        match expected {
+            && !self.declaration.far_wall;
+        let order = match expected {
             Some(Expected::Order(order)) if runs => Some(order),
             Some(Expected::Unknown) if runs => {
                 let expect = self.settings.expect.as_ref().map(Rational::to_f64);
                 expect.or(self.declaration.order)
             }
             _ => None,
-        }
+        };
+        let format = self.declaration.format;
+        order.map_or(Ok(Peers::None), |order| {
+            Peers::of_order(order, expected, case, format, &radiances.exact, levels)
+        })
     }
 
     /// As [`Line::right_to_quantum`].
@@ -205,37 +233,20 @@ impl Asked<'_> {
                 samples,
             }
         };
-        // Against another order than its own the method is no measure.
-        // Nor is one run of a method that draws random numbers.
-        let own = self.settings.expect.is_none() && !self.declaration.stochastic;
-        let nominal = own.then(|| radiances.nominal_samples()).flatten();
         let levels = radiances.counted_samples();
-        let is_declared = nominal.is_some();
-        let peers = match (nominal, self.order_of_peers(expected)) {
-            (Some(samples), _) => Peer::new(samples, expected).map(|peer| vec![peer]),
-            (None, Some(order)) => {
-                let format = self.declaration.format;
-                peers::of_order(order, expected, case, format, &radiances.exact, &levels)
-            }
-            (None, None) => Ok(Vec::new()),
-        };
+        let peers = self.peers(case, &radiances, &levels, expected);
         let peers = peers.map_err(|error| VerifyError::Fit {
             case: name.clone(),
             error,
         })?;
-        let of_method = peers
-            .first()
-            .filter(|_| is_declared)
-            .map(|peer| peer.verdict);
-        let shows = |peer: &Peer| peer.verdict.passes(expected);
-        let verdicts: Vec<Verdict> = peers.iter().map(|peer| peer.verdict).collect();
-        let remarks = remarks(&radiances.exact, &levels, &peers);
+        let remarks = remarks(&radiances.exact, &levels, peers.all());
         let standing = standing::of(&Judged {
             measured: &measured,
             expected,
             failures: &failures,
-            of_method,
-            of_order: if is_declared { &[] } else { &verdicts },
+            of_method: peers.verdict_of_method(),
+            of_order: &peers.verdicts_of_order(),
+            resolvable: peers.resolvable(expected),
             is_remarked: !remarks.is_empty(),
             in_range,
             steady,
@@ -249,8 +260,8 @@ impl Asked<'_> {
             unproved: Vec::new(),
             measured,
             failures,
-            is_required: !peers.is_empty() && peers.iter().all(shows),
-            right_to_quantum: self.right_to_quantum(&levels, &peers),
+            is_required: peers.all_show(expected),
+            right_to_quantum: self.right_to_quantum(&levels, peers.all()),
             remarks,
             steady,
             reported,
