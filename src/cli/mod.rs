@@ -40,7 +40,7 @@ Exit codes: 0 good, 1 a check failed, 2 wrong usage or input, 130 interrupted, 1
 nobody reads what is printed.
 
 Examples:
-  volver verify --cases paper method:front-to-back/middle/expm1@f32
+  volver verify --cases paper method:front-to-back/middle/expm1
   volver reproduce --table 1 --levels 8..512
   printf '0.4 8e-2\\n0.2 2e-2\\n0.1 5e-3\\n0.05 1.25e-3\\n' | volver fit -
   volver cases sine-squared

@@ -8,7 +8,9 @@ use volver::kernel::{Closure, Declaration, FormKind, KernelError, Segments, Subj
 use volver::render::{markdown, terminal};
 use volver::report::verify::{document, heading, json, junit, row, scattered_heading};
 use volver::study::Silent;
-use volver::study::verify::{Failure, Finding, Measured, Settings, Standing, Steps, Verification, verify};
+use volver::study::verify::{
+    Failure, Finding, Measured, Settings, Standing, Steps, Verification, verify,
+};
 
 /// By steps that divide the ray.
 fn divided(ladder: &str) -> Settings {

@@ -38,18 +38,17 @@ fn short(order: f64) -> String {
     }
 }
 
-/// "1.003 ± 0.021"; of random numbers both parts, the larger first; without a window the last pair's order, which has no interval: "~1.00".
+/// "1.003 ± 0.021", of random numbers both parts, the larger first; nothing without a window.
 pub(super) fn order(line: &Line) -> String {
     let is_windowed = match &line.measured {
         Measured::Fitted { fit, .. } => fit.window.is_some(),
         Measured::Scattered(fit) => return scattered::both(fit),
         Measured::Nothing => false,
     };
-    match line.measured.order() {
-        Some((order, half_width)) if is_windowed => format!("{order:.3} ± {:.3}", up(half_width)),
-        Some((order, _)) => format!("~{order:.2}"),
-        None => NONE.into(),
-    }
+    let order = line.measured.order().filter(|_| is_windowed);
+    order.map_or(NONE.into(), |(order, half_width)| {
+        format!("{order:.3} ± {:.3}", up(half_width))
+    })
 }
 
 /// Rounded up to three decimals: no interval becomes a point.

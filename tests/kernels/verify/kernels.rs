@@ -42,7 +42,7 @@ fn a_seed_behind_an_at_is_no_format() {
         ("method:monte-carlo@7/trapezoid", "f64"),
         ("method:monte-carlo@7/trapezoid@f32", "f32"),
     ] {
-        let options = ["--replicas", "8", "--ladder", "8..32", "--json", "-"];
+        let options = ["--replicas", "8", "--ladder", "8..64", "--json", "-"];
         let cases = ["verify", "--cases", "sine-squared"];
         let run = volver(&[&cases[..], &options, &[kernel]].concat());
         assert_eq!(run.err, "", "{kernel}");

@@ -208,7 +208,7 @@ fn a_kernel_that_answers_nothing_is_given_up_in_the_end() {
         "--cases",
         "vacuum,faint,tent,cloud",
         "--ladder",
-        "8..32",
+        "8..64",
         "--json",
         "-",
     ];
@@ -216,7 +216,7 @@ fn a_kernel_that_answers_nothing_is_given_up_in_the_end() {
     let kernel = marked.kernel(&["--trouble", "garbage"]);
     let kernel: Vec<&str> = kernel.iter().map(String::as_str).collect();
     let fourth = volver(&[&["verify"], &four[..], &kernel].concat()).with_code(2);
-    assert_eq!(given_up(&fourth.json()["lines"][3]), 3);
+    assert_eq!(given_up(&fourth.json()["lines"][3]), 4);
 }
 
 #[test]
