@@ -32,9 +32,8 @@ fn standing(measured: &Measured, expected: Expected, of_method: Option<Verdict>)
         of_method,
         of_order: &[],
         resolvable: of_method.map(|of_method| of_method.passes(Some(expected))),
-        is_remarked: false,
         in_range: true,
-        steady: true,
+        sound: true,
     })
 }
 

@@ -38,7 +38,7 @@ pub(super) struct Asked<'a> {
 pub(super) struct Answers {
     /// By level and seed.
     levels: Vec<Vec<Result<Rendering, KernelError>>>,
-    /// The cells_of_all level once more.
+    /// The coarsest level once more.
     again: Option<Result<Rendering, KernelError>>,
 }
 
@@ -68,7 +68,7 @@ impl<'a> Asked<'a> {
             case: subject.name().into(),
             error,
         };
-        let cells_of_all = settings.cells();
+        let shared = settings.cells();
         let cuts = settings.cuts(subject.length()).into_iter();
         let level = |(cut, n): (Cut, &u64)| {
             let (step, count) = cut.on(subject.length())?;
@@ -76,7 +76,7 @@ impl<'a> Asked<'a> {
                 .then(|| subject.segments(cut))
                 .transpose()?;
             let cells = match settings.axis {
-                Axis::Step => cells_of_all,
+                Axis::Step => shared,
                 Axis::Grid => *n,
             };
             Ok(Level {

@@ -84,7 +84,9 @@ impl Peers {
         exact: &Float,
         levels: &[(u64, Sample)],
     ) -> Result<Peers, FitError> {
-        let names = METHODS.iter().find(|(own, _)| *own == order);
+        let names = METHODS
+            .iter()
+            .find(|(own, _)| (own - order).abs() < f64::EPSILON);
         let names = names.map_or(&[][..], |(_, names)| names);
         let methods: Vec<Method> = names.iter().filter_map(|name| name.parse().ok()).collect();
         let mut peers = Vec::with_capacity(methods.len());

@@ -93,12 +93,10 @@ pub struct Judged<'a> {
     /// Whether the declared method, exactly and in the declared format, or any of the declared order is confirmed on these
     /// levels; `None` where there is no method to ask.
     pub resolvable: Option<bool>,
-    /// Whether something is visibly wrong, whatever the order is.
-    pub is_remarked: bool,
     /// Whether the declared method, if there is one, has a value at every level in the declared format.
     pub in_range: bool,
-    /// Whether answers to the same request are the same.
-    pub steady: bool,
+    /// Whether answers to the same request are the same, and nothing is visibly wrong with any, whatever the order is.
+    pub sound: bool,
     /// Whether samples in the middles of segments find their order on these levels, as far as that is known.
     pub resolved: bool,
     /// Standard errors that the kernel reported.
@@ -117,7 +115,7 @@ pub fn of(judged: &Judged<'_>) -> Standing {
         return Standing::Failed;
     }
     let misreports = judged.reported.as_ref();
-    if !judged.steady || judged.is_remarked || misreports.is_some_and(ReportedError::is_wrong) {
+    if !judged.sound || misreports.is_some_and(ReportedError::is_wrong) {
         return Standing::Contradicted;
     }
     if verdict == Verdict::NotFinite {

@@ -89,7 +89,7 @@ fn right_kernels_of_other_kinds_are_confirmed() {
             &segments.edges.extinction,
             &segments.edges.emission[channel],
         );
-        let mean = |v: &[f64], i: usize| (v[i] + v[i + 1]) / 2.0;
+        let mean = |v: &[f64], i: usize| f64::midpoint(v[i], v[i + 1]);
         let lengths = segments.lengths().enumerate();
         composite(lengths.map(|(i, length)| (mean(t, i), mean(c, i), length)))
     }));

@@ -247,9 +247,8 @@ impl Asked<'_> {
             of_method: peers.verdict_of_method(),
             of_order: &peers.verdicts_of_order(),
             resolvable: peers.resolvable(expected),
-            is_remarked: !remarks.is_empty(),
             in_range,
-            steady,
+            sound: steady && remarks.is_empty(),
             resolved,
             reported,
         });
