@@ -18,8 +18,9 @@ use volver::study::verify::{
 };
 
 const EXAMPLES: &str = "\
-The exit code is 0 where orders are confirmed, nothing contradicts and the values are
-those of the method that the kernel declares; 1 where not; 2 where it could not run.
+The exit code is 0 where the order shows wherever methods of that order show theirs,
+nothing contradicts and the values are those of the method that the kernel declares;
+1 where not; 2 where it could not run.
 
 Work: cases × levels × seeds, at most 64 levels of 524288 segments; a program has
 --timeout for each answer. A bar on the terminal says how much is left.

@@ -5,7 +5,7 @@ use super::ray::Sample;
 use super::{EmissionModel, End, Ends, OpacityModel, Places, Ray, Recipe};
 use crate::case::Transfer;
 use crate::method::OpacityFormula;
-use crate::real::{Format, Real};
+use crate::real::{Format, Native, Real};
 use std::convert::identity;
 
 /// The length that renderers give the last segment to make a wall of it: what absorbs nothing stays clear.
@@ -64,6 +64,16 @@ pub fn radiance_by<R: Real>(
     formula: OpacityFormula,
 ) -> R {
     composited(recipe, ray, format, formula, identity)
+}
+
+/// Σ |T·aⱼ|: what a radiance is made of. Linear opacities above 1 make T alternate in sign, and terms cancel.
+pub(super) fn terms(recipe: &Recipe, ray: &Ray<f64>) -> f64 {
+    let (mut sum, mut transmittance) = (0.0, 1.0_f64);
+    for step in steps(recipe, ray, Native::<f64>::new()) {
+        sum += (transmittance * step.adds).abs();
+        transmittance *= step.passes;
+    }
+    sum
 }
 
 /// What every segment does, from the eye on.

@@ -1,14 +1,14 @@
 //! The search for the simplest model that reproduces most.
 
 use super::candidates::{methods, recipes};
-use super::march::radiance;
+use super::march::{radiance, terms};
 use super::model::ENOUGH;
 use super::parameter::solved;
 use super::stops::{USUAL, explained};
 use super::values::{MOST_DIGITS, correct_digits, in_quanta, values};
 use super::{
-    Accumulator, Accuracy, Fingerprint, FixedRounding, FixedScale, Match, Model, Recipe, Watched,
-    fixed,
+    Accumulator, Accuracy, Fingerprint, FixedRounding, FixedScale, Match, Model, OpacityModel,
+    Recipe, Watched, fixed,
 };
 use crate::case::{Shared, SymbolicCase};
 use crate::method::Level;
@@ -232,7 +232,14 @@ impl<'a> Search<'a> {
             let mut worst = Some(MOST_DIGITS);
             for (level, value) in watched.levels.iter().zip(values) {
                 let accuracy = in_quanta(&model, level, accuracy);
-                if !level.agrees(value, watched.scale, accuracy) {
+                let of_terms = match &model {
+                    Model::Recipe(recipe) if recipe.opacity == OpacityModel::Linear => {
+                        terms(recipe, &level.ray)
+                    }
+                    Model::Recipe(_) | Model::Method(_) => 0.0,
+                };
+                let scale = watched.scale.max(of_terms);
+                if !scale.is_finite() || !level.agrees(value, scale, accuracy) {
                     worst = None;
                     break;
                 }

@@ -7,8 +7,8 @@ mod used;
 
 use super::{Axis, Settings, VerifyError};
 use crate::kernel::{
-    Cut, Data, Declaration, FormKind, Formula, Kernel, KernelError, Rendering, Segments, Subject,
-    Task, Volume,
+    Cut, CutError, Data, Declaration, FormKind, Formula, Kernel, KernelError, Rendering, Segments,
+    Subject, Task, Volume,
 };
 use crate::study::Progress;
 use rug::Rational;
@@ -31,6 +31,8 @@ pub(super) struct Asked<'a> {
     settings: &'a Settings,
     declaration: &'a Declaration,
     levels: Vec<Level>,
+    /// What is asked beside them.
+    spots: Vec<Level>,
     formula: Option<Formula>,
 }
 
@@ -38,6 +40,8 @@ pub(super) struct Asked<'a> {
 pub(super) struct Answers {
     /// By level and seed.
     levels: Vec<Vec<Result<Rendering, KernelError>>>,
+    /// Beside the levels.
+    spots: Vec<Result<Rendering, KernelError>>,
     /// The coarsest level once more.
     again: Option<Result<Rendering, KernelError>>,
 }
@@ -87,7 +91,13 @@ impl<'a> Asked<'a> {
                 volume: (form == FormKind::Volume).then(|| subject.volume(cells, settings.entries)),
             })
         };
-        let levels = cuts.zip(&settings.ladder).map(level);
+        let levels: Result<Vec<Level>, CutError> = cuts.zip(&settings.ladder).map(level).collect();
+        let spots = match form {
+            // Kinks of a grid stand elsewhere there.
+            FormKind::Volume => Vec::new(),
+            _ => settings.spots(subject.length(), declaration),
+        };
+        let spots = spots.into_iter().map(|cut| level((cut, &1)));
         let formula = match form {
             FormKind::Formula(language) => Some(subject.formula(language)),
             _ => None,
@@ -96,7 +106,8 @@ impl<'a> Asked<'a> {
             subject,
             settings,
             declaration,
-            levels: levels.collect::<Result<_, _>>().map_err(cut_error)?,
+            levels: levels.map_err(cut_error)?,
+            spots: spots.collect::<Result<_, _>>().map_err(cut_error)?,
             formula: formula.transpose().map_err(|error| VerifyError::Formula {
                 case: subject.name().into(),
                 error,
@@ -122,13 +133,22 @@ impl<'a> Asked<'a> {
             levels.push(checked.collect());
             progress.advance(level.count * seeds as u64);
         }
+        let spots = self.spots.iter().map(|spot| {
+            let answer = kernel.render(&self.task(spot, 0));
+            self.checked(spot, answer)
+        });
+        let spots = spots.collect();
         // After all others: what keeps an answer for the next request has another one by now.
         let seed = if stochastic { 0 } else { OTHER_SEED };
         let again = self.levels.first().map(|level| {
             let answer = kernel.render(&self.task(level, seed));
             self.checked(level, answer)
         });
-        Answers { levels, again }
+        Answers {
+            levels,
+            spots,
+            again,
+        }
     }
 
     fn task<'t>(&'t self, level: &'t Level, seed: u64) -> Task<'t> {

@@ -25,6 +25,8 @@ pub struct Line {
     pub failures: Vec<Failure>,
     /// Whether the declared method, or every method of the declared order, shows its order on these levels.
     pub is_required: bool,
+    /// Whether its error at the finest level is no larger than that of the worst of these methods.
+    pub is_as_good: bool,
     /// Where answers are multiples of a quantum, and methods are less than half of it off at the finest level: whether the
     /// answer there is right to one.
     pub right_to_quantum: Option<bool>,

@@ -7,6 +7,7 @@ use crate::kernel::radiance_in;
 use crate::method::{Expected, Method, MethodError};
 use crate::parallel;
 use crate::real::FormatName;
+use crate::study::verify::remark::Seen;
 use rug::Float;
 
 /// Methods by their order: those that renderers use and textbooks have, each with another leading error.
@@ -114,6 +115,17 @@ impl Peers {
             Peers::OfMethod(both) => both,
             Peers::OfOrder(peers) => peers,
         }
+    }
+
+    /// The errors of a kernel's levels beside the largest of theirs; nothing where there are none.
+    pub(super) fn beside(&self, levels: &[(u64, Sample)]) -> Vec<Seen> {
+        let methods = self.all();
+        if methods.is_empty() {
+            return Vec::new();
+        }
+        let seen = levels.iter().enumerate();
+        seen.map(|(place, (segments, sample))| Seen::new(*segments, sample, methods, place))
+            .collect()
     }
 
     /// The verdict on the declared method itself.

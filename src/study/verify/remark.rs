@@ -11,8 +11,12 @@ const FLAT: f64 = 0.1;
 const FALLING: f64 = 0.5;
 /// Levels of a plateau.
 const PLATEAU: usize = 3;
-/// Methods of one order differ by less.
+/// So many times the error of methods, or of coarser levels, is another error.
+const OTHER: f64 = 10.0;
+/// So many times those of all methods at a coarse level, of more than the radiance.
 const BEYOND: f64 = 100.0;
+/// At the finest levels an error of this part of the radiance is no small matter.
+const LARGE: f64 = 0.01;
 /// So many floors are no roundoff.
 const FLOORS: f64 = 30.0;
 
@@ -28,8 +32,9 @@ pub enum Remark {
         /// The error there, as a part of the radiance.
         relative: f64,
     },
-    /// An error of more than the radiance, and far more than that of any method of the order.
-    Beyond {
+    /// An error far beyond those of all methods: one of more than the radiance, a rise from one level to the next, what
+    /// is left at the finest levels, or at a number of segments that orders are not fitted to.
+    Off {
         /// Segments of the level.
         n: u64,
         /// The error, as a part of the radiance.
@@ -50,7 +55,7 @@ impl fmt::Display for Remark {
                 f,
                 "stays {relative:.1e} of the radiance off from n = {first} to {last}, where methods of its order converge"
             ),
-            Remark::Beyond {
+            Remark::Off {
                 n,
                 relative,
                 of_methods,
@@ -62,56 +67,92 @@ impl fmt::Display for Remark {
     }
 }
 
-/// What shows beside the methods of an order, or the one that is declared; `levels` are numbers of segments with errors.
-pub(super) fn remarks(exact: &Float, levels: &[(u64, Sample)], peers: &[Peer]) -> Vec<Remark> {
-    if peers.is_empty() || exact.is_zero() {
+/// A level: segments, the kernel's error there with its floor, and the largest error of the methods.
+#[derive(Clone, Debug)]
+pub(super) struct Seen {
+    pub(super) segments: u64,
+    pub(super) step: f64,
+    pub(super) error: f64,
+    pub(super) floor: f64,
+    pub(super) of_methods: f64,
+}
+
+impl Seen {
+    /// Of a kernel's sample, beside the methods' at that place of their levels.
+    pub(super) fn new(segments: u64, sample: &Sample, methods: &[Peer], place: usize) -> Seen {
+        let size = |sample: &Sample| sample.error.to_f64().abs();
+        let of_methods = methods.iter().filter_map(|peer| peer.samples.get(place));
+        Seen {
+            segments,
+            step: sample.step,
+            error: size(sample),
+            floor: sample.floor.to_f64(),
+            of_methods: of_methods.map(size).fold(0.0, f64::max),
+        }
+    }
+
+    /// Whether it is no worse than the worst of the methods, but for rounding.
+    pub(super) fn is_as_good(&self) -> bool {
+        !self.is_above(1.0)
+    }
+
+    fn is_above(&self, times: f64) -> bool {
+        self.error > times * self.of_methods && self.error > FLOORS * self.floor
+    }
+
+    /// Whether it is far above both of these too.
+    fn rises(&self, coarser: &[Seen]) -> bool {
+        let largest = coarser.iter().map(|level| level.error).fold(0.0, f64::max);
+        coarser.len() == 2 && self.is_above(OTHER) && self.error > OTHER * largest
+    }
+}
+
+/// What shows at the levels, and at single numbers of segments beside them.
+pub(super) fn remarks(exact: &Float, levels: &[Seen], spots: &[Seen]) -> Vec<Remark> {
+    let scale = exact.to_f64().abs();
+    if scale == 0.0 {
         return Vec::new();
     }
-    let scale = exact.to_f64().abs();
-    let size = |sample: &Sample| sample.error.to_f64().abs();
-    let of_peers = |level: usize| {
-        let errors = peers.iter().filter_map(|peer| peer.samples.get(level));
-        errors.map(size).fold(0.0, f64::max)
+    let off = |seen: &Seen| Remark::Off {
+        n: seen.segments,
+        relative: seen.error / scale,
+        of_methods: seen.of_methods / scale,
     };
-    let mut remarks = Vec::new();
-    let beyond = levels.iter().enumerate().find(|(level, (_, sample))| {
-        let error = size(sample);
-        error > scale && error > BEYOND * of_peers(*level) && error > BEYOND * sample.floor.to_f64()
+    let is_off = |(place, seen): &(usize, &Seen)| {
+        let coarser = levels.get(place.saturating_sub(2)..*place);
+        let is_fine = place + 2 >= levels.len();
+        (seen.error > scale && seen.is_above(BEYOND))
+            || (is_fine && seen.error > LARGE * scale && seen.is_above(OTHER))
+            || seen.rises(coarser.unwrap_or_default())
+    };
+    let mut all = levels.iter().enumerate();
+    let at_level = all.find(is_off).map(|(_, seen)| off(seen));
+    let beside = |spot: &&Seen| {
+        let finer = levels.partition_point(|level| level.segments < spot.segments);
+        let coarser = levels.get(finer.saturating_sub(2)..finer);
+        spot.rises(coarser.unwrap_or_default())
+    };
+    let at_spot = spots.iter().find(beside).map(off);
+    let plateau = levels.windows(PLATEAU).find(|levels| is_plateau(levels));
+    let plateau = plateau.and_then(|levels| match levels {
+        [first, .., last] => Some(Remark::Plateau {
+            first: first.segments,
+            last: last.segments,
+            relative: last.error / scale,
+        }),
+        _ => None,
     });
-    if let Some((level, (n, sample))) = beyond {
-        remarks.push(Remark::Beyond {
-            n: *n,
-            relative: size(sample) / scale,
-            of_methods: of_peers(level) / scale,
-        });
-    }
-    let order = |pair: &[&Sample]| match pair {
-        [coarse, fine] => (size(coarse) / size(fine)).ln() / (coarse.step / fine.step).ln(),
+    [at_level, at_spot, plateau].into_iter().flatten().collect()
+}
+
+fn is_plateau(levels: &[Seen]) -> bool {
+    let order = |pair: &[Seen], of: &dyn Fn(&Seen) -> f64| match pair {
+        [coarse, fine] => (of(coarse) / of(fine)).ln() / (coarse.step / fine.step).ln(),
         _ => f64::NAN,
     };
-    let all = |samples: &[&Sample], holds: &dyn Fn(f64) -> bool| {
-        samples.windows(2).all(|pair| holds(order(pair)))
+    let stays = |pair: &[Seen]| {
+        order(pair, &|seen| seen.error).abs() < FLAT
+            && order(pair, &|seen| seen.of_methods) > FALLING
     };
-    let plateau = levels.windows(PLATEAU).enumerate().find(|(start, window)| {
-        let own: Vec<&Sample> = window.iter().map(|(_, sample)| sample).collect();
-        let last = start + PLATEAU - 1;
-        let above = own.iter().all(|sample| {
-            size(sample) > FLOORS * sample.floor.to_f64() && size(sample) > of_peers(last)
-        });
-        let fall = |peer: &Peer| {
-            let theirs = peer.samples.get(*start..=last).unwrap_or_default();
-            all(&theirs.iter().collect::<Vec<_>>(), &|order| order > FALLING)
-        };
-        above && all(&own, &|order| order.abs() < FLAT) && peers.iter().all(fall)
-    });
-    if let Some((_, window)) = plateau
-        && let [(first, _), .., (last, sample)] = window
-    {
-        remarks.push(Remark::Plateau {
-            first: *first,
-            last: *last,
-            relative: size(sample) / scale,
-        });
-    }
-    remarks
+    levels.iter().all(|level| level.is_above(1.0)) && levels.windows(2).all(stays)
 }

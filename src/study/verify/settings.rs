@@ -23,6 +23,13 @@ const ORDERS: ((u32, u32), u32) = ((1, 100), 100);
 /// more than a multiple of 12, so that breaks at halves, thirds and quarters of the ray stand at the same part of a
 /// segment at every level: errors keep one expansion.
 const LADDER: [u64; 8] = [9, 21, 33, 69, 129, 261, 513, 1029];
+/// Beside the ladder, numbers of segments that orders are not fitted to, in multiples of no number that all levels are
+/// multiples of: by steps like those of the ladder, and at one that divides the ray.
+const SPOTS: [(u64, Steps); 3] = [
+    (47, Steps::PartLast),
+    (64, Steps::Divide),
+    (100, Steps::PartLast),
+];
 /// The last segment, as a part of the others, where steps need not divide the ray.
 const LAST: (u32, u32) = (3, 10);
 /// With uneven steps, d is that part of D/n.
@@ -51,6 +58,22 @@ pub enum Steps {
 }
 
 impl Steps {
+    /// A ray of that length in n segments, or the step that belongs to n.
+    fn cut(self, n: u64, length: &Rational) -> Cut {
+        match self {
+            // A ray of one segment has no others.
+            Steps::PartLast if n > 1 => {
+                let others = Rational::from(LAST) + (n - 1);
+                Cut::Step((length / others).to_f64())
+            }
+            Steps::Uneven => {
+                let step = length * Rational::from(UNEVEN) / n;
+                Cut::Step(step.to_f64())
+            }
+            Steps::PartLast | Steps::Divide => Cut::Segments(n),
+        }
+    }
+
     /// Its name, as in JSON.
     #[must_use]
     pub fn name(self) -> &'static str {
@@ -257,19 +280,26 @@ impl Settings {
     pub(super) fn cuts(&self, length: &Rational) -> Vec<Cut> {
         let cut = |n: &u64| match self.axis {
             Axis::Grid => Cut::Segments(GRID_SEGMENTS),
-            Axis::Step => match self.steps {
-                // A ray of one segment has no others.
-                Steps::PartLast if *n > 1 => {
-                    let others = Rational::from(LAST) + (*n - 1);
-                    Cut::Step((length / others).to_f64())
-                }
-                Steps::Uneven => {
-                    let step = length * Rational::from(UNEVEN) / *n;
-                    Cut::Step(step.to_f64())
-                }
-                Steps::PartLast | Steps::Divide => Cut::Segments(*n),
-            },
+            Axis::Step => self.steps.cut(*n, length),
         };
         self.ladder.iter().map(cut).collect()
+    }
+
+    /// How it is cut beside the levels, where a kernel takes any number of segments.
+    pub(super) fn spots(&self, length: &Rational, declaration: &Declaration) -> Vec<Cut> {
+        let takes_any = declaration.multiple_of.get() == 1 && !declaration.stochastic;
+        let is_asked = self.axis == Axis::Step && self.steps != Steps::Uneven;
+        let within = match self.ladder[..] {
+            [_, second, .., last] => second + 1..last,
+            _ => 0..0,
+        };
+        let spots = SPOTS.into_iter().filter(|(n, _)| {
+            takes_any && is_asked && within.contains(n) && !self.ladder.contains(n)
+        });
+        let cut = |(n, steps): (u64, Steps)| match self.steps {
+            Steps::PartLast => steps.cut(n, length),
+            Steps::Divide | Steps::Uneven => Cut::Segments(n),
+        };
+        spots.map(cut).collect()
     }
 }

@@ -216,7 +216,7 @@ fn a_multiple_that_the_ladder_has_too_few_of_is_refused() {
 
 #[test]
 fn loops_without_tails_and_lengths_that_are_not_theirs_are_seen() {
-    for block in [2, 4, 8, 16] {
+    for block in [2, 3, 4, 8, 16] {
         not_confirmed(&of_segments(of_order(2.0), move |_, segments, channel| {
             let mut all = middles(segments, channel);
             all.truncate(all.len() / block * block);
@@ -255,11 +255,73 @@ fn what_is_far_off_on_coarse_levels_is_named_beside_its_order() {
     let behind = behind.unwrap();
     assert_eq!(behind.standing, Standing::Contradicted);
     assert!(
-        matches!(behind.remarks[..], [Remark::Beyond { n: 9, relative, .. }] if relative > 1e3),
+        matches!(behind.remarks[..], [Remark::Off { n: 9, relative, .. }] if relative > 1e3),
         "{:?}",
         behind.remarks
     );
     assert!(behind.largest_error().unwrap() > 1e3);
+}
+
+/// Wrong at numbers of segments that no level has, or where the step divides the ray, and right elsewhere.
+#[test]
+fn levels_are_not_all_that_is_asked() {
+    let wrong: [fn(&Task<'_>) -> bool; 3] = [
+        |task| task.segments.is_multiple_of(2),
+        |task| !task.segments.is_multiple_of(3),
+        |task| (task.subject.length().to_f64() / task.step).fract() == 0.0,
+    ];
+    for is_wrong in wrong {
+        not_confirmed(&of_segments(
+            of_order(2.0),
+            move |task, segments, channel| {
+                let mut all = middles(segments, channel);
+                if is_wrong(task) {
+                    all.pop();
+                }
+                composite(all)
+            },
+        ));
+    }
+}
+
+/// Extinction in front and emission in the middle: order 1, and 2 where one of both is constant.
+#[test]
+fn what_is_better_than_promised_is_not_missing() {
+    let mixed = of_segments(of_order(1.0), |_, segments, channel| {
+        let front = &segments.edges.extinction;
+        let middles = middles(segments, channel).into_iter().zip(front);
+        composite(middles.map(|((_, c, length), t)| (*t, c, length)))
+    });
+    confirmed(&mixed);
+    let higher = mixed
+        .lines
+        .iter()
+        .filter(|line| line.is_required && line.standing != Standing::Confirmed && line.is_as_good);
+    assert!(higher.count() > 0, "{}", shown(&mixed));
+}
+
+/// Half of the light, or none, at the finest levels of one channel; a tenth too much at a single one.
+#[test]
+fn what_is_lost_at_single_levels_is_seen() {
+    for (case, from, to, factor) in [
+        ("faint-long", 513, u64::MAX, 0.0),
+        ("emission-bump", 261, u64::MAX, 0.5),
+        ("cloud", 129, 129, 1.1),
+        ("jump-on-node", 1029, u64::MAX, 1.2),
+    ] {
+        let found = of_segments(of_order(2.0), move |task, segments, channel| {
+            let radiance = composite(middles(segments, channel));
+            let is_lost = task.subject.name() == case && (from..=to).contains(&task.segments);
+            radiance * if is_lost { factor } else { 1.0 }
+        });
+        not_confirmed(&found);
+        let line = found.lines.iter().find(|line| line.name == case).unwrap();
+        assert!(
+            matches!(line.remarks[..], [Remark::Off { n, .. }, ..] if n == from),
+            "{case} {:?}",
+            line.remarks
+        );
+    }
 }
 
 /// 0 where there is little light, and too bright by a tenth where theory promises no order.

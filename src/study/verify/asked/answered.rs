@@ -2,7 +2,7 @@
 
 use super::resolved::Middles;
 use super::used::lookups;
-use super::{Answers, Asked};
+use super::{Answers, Asked, Level};
 use crate::case::{Case, SymbolicCase};
 use crate::convergence::{FitError, Replicas, Sample, fit, fit_replicas, reported_error};
 use crate::diagnosis::{Ray, Watched, WatchedLevel};
@@ -12,13 +12,21 @@ use crate::real::Native;
 use crate::study::verify::line::{Failure, LevelRadiances, Line, Measured, Radiances};
 use crate::study::verify::nominal::{self, Nominal};
 use crate::study::verify::peers::{Peer, Peers};
-use crate::study::verify::remark::remarks;
+use crate::study::verify::remark::{Seen, remarks};
 use crate::study::verify::standing::{self, Judged};
 use crate::study::verify::{Axis, VerifyError, expectation, truth};
 use rug::{Float, Rational};
 
 /// Bits of references beyond those of the kernel's format.
 const REFERENCE_BITS: u32 = 75;
+
+/// One level of a channel.
+struct Looked {
+    cut: Cut,
+    uniform: Option<u64>,
+    ray: Ray<f64>,
+    radiances: LevelRadiances,
+}
 
 impl Asked<'_> {
     /// What one channel shows.
@@ -65,22 +73,16 @@ impl Asked<'_> {
                     continue;
                 }
             };
-            let Some(first) = renderings.first() else {
+            if renderings.is_empty() {
                 continue;
-            };
-            let cut = self.used(level, first);
-            let segments = self.segments(level, cut)?;
-            let uniform = match cut {
-                Cut::Segments(n) => Some(n),
-                Cut::Step(_) => None,
-            };
-            let declared = nominal::at_level(self.declaration, case, &segments, channel, uniform);
-            let values: Vec<Float> = renderings
-                .iter()
-                .map(|rendering| rendering.radiance[channel].clone())
-                .collect();
-            let ray = Ray::new(&segments, channel, Native::<f64>::new());
-            if let Some(value) = values.first() {
+            }
+            let Looked {
+                cut,
+                uniform,
+                ray,
+                radiances: seen,
+            } = self.looked(level, &renderings, channel, &radiances.exact, of_tables)?;
+            if let Some(value) = seen.values.first() {
                 watched.levels.push(WatchedLevel {
                     ray: ray.clone(),
                     uniform: uniform.filter(|_| level.volume.is_none()),
@@ -91,42 +93,81 @@ impl Asked<'_> {
                 let segments = self.looked_up(level, cut, *lookup)?;
                 rays.push(Ray::new(&segments, channel, Native::<f64>::new()));
             }
-            // Refused already, where the ray cannot be cut so.
-            let used = cut.on(self.subject.length());
-            let (step, segments) = used.map_err(|error| self.cut_error(error))?;
-            let (n, step) = self.coordinate(level, segments, step.to_f64());
-            let mut floor = self.floor(&radiances.exact, level, declared.as_ref(), &ray);
-            floor += self.not_refined(level, channel, &ray) + of_tables;
             let finite = |nominal: &Nominal| nominal.in_format.is_finite();
-            in_range = in_range && declared.as_ref().is_none_or(finite);
+            in_range = in_range && seen.nominal.as_ref().is_none_or(finite);
             if self.declaration.stochastic {
-                middles.push(n, step, &ray, &radiances.exact, &floor);
+                middles.push(seen.n, seen.step, &ray, &radiances.exact, &seen.floor);
             }
-            let reported = renderings.iter().filter_map(|rendering| {
-                let errors = rendering.standard_error.as_ref()?;
-                errors.get(channel).copied()
-            });
-            radiances.push(LevelRadiances {
-                segments,
-                n,
-                step,
-                values,
-                floor,
-                nominal: declared,
-                reported: reported.collect(),
-            });
+            radiances.push(seen);
+        }
+        let mut spots = Radiances::new(radiances.exact.clone());
+        for (spot, answer) in self.spots.iter().zip(&answers.spots) {
+            match answer {
+                Ok(rendering) => {
+                    let exact = &radiances.exact;
+                    let looked = self.looked(spot, &[rendering], channel, exact, of_tables)?;
+                    spots.push(looked.radiances);
+                }
+                Err(error) => failures.push(Failure::new(spot.count, error)),
+            }
         }
         let steady = Self::is_steady(channel, answers);
         let line = Line {
             unproved,
             ..self.judged(
                 channel,
-                radiances,
+                (radiances, &spots),
                 failures,
                 (steady, in_range, middles.are_resolved()),
             )?
         };
         Ok((line, watched))
+    }
+
+    /// What was answered to one level, and how the ray is cut there.
+    fn looked(
+        &self,
+        level: &Level,
+        renderings: &[&Rendering],
+        channel: usize,
+        exact: &Float,
+        of_tables: f64,
+    ) -> Result<Looked, VerifyError> {
+        let case = &self.subject.cases()[channel];
+        let used = renderings.first().map(|first| self.used(level, first));
+        let cut = used.unwrap_or(level.cut);
+        let segments = self.segments(level, cut)?;
+        let uniform = match cut {
+            Cut::Segments(n) => Some(n),
+            Cut::Step(_) => None,
+        };
+        let nominal = nominal::at_level(self.declaration, case, &segments, channel, uniform);
+        let values = renderings.iter().map(|r| r.radiance[channel].clone());
+        let ray = Ray::new(&segments, channel, Native::<f64>::new());
+        // Refused already, where the ray cannot be cut so.
+        let used = cut.on(self.subject.length());
+        let (step, segments) = used.map_err(|error| self.cut_error(error))?;
+        let (n, step) = self.coordinate(level, segments, step.to_f64());
+        let mut floor = self.floor(exact, level, nominal.as_ref(), &ray);
+        floor += self.not_refined(level, channel, &ray) + of_tables;
+        let reported = renderings.iter().filter_map(|rendering| {
+            let errors = rendering.standard_error.as_ref()?;
+            errors.get(channel).copied()
+        });
+        Ok(Looked {
+            radiances: LevelRadiances {
+                segments,
+                n,
+                step,
+                values: values.collect(),
+                floor,
+                nominal,
+                reported: reported.collect(),
+            },
+            cut,
+            uniform,
+            ray,
+        })
     }
 
     /// Whether a kernel answers the same twice: one that draws random numbers to the same seed.
@@ -202,7 +243,7 @@ impl Asked<'_> {
     fn judged(
         &self,
         channel: usize,
-        radiances: Radiances,
+        (radiances, spots): (Radiances, &Radiances),
         failures: Vec<Failure>,
         (steady, in_range, resolved): (bool, bool, bool),
     ) -> Result<Line, VerifyError> {
@@ -233,13 +274,18 @@ impl Asked<'_> {
                 samples,
             }
         };
-        let levels = radiances.counted_samples();
-        let peers = self.peers(case, &radiances, &levels, expected);
-        let peers = peers.map_err(|error| VerifyError::Fit {
+        let fit_error = |error| VerifyError::Fit {
             case: name.clone(),
             error,
-        })?;
-        let remarks = remarks(&radiances.exact, &levels, peers.all());
+        };
+        let levels = radiances.counted_samples();
+        let peers = self.peers(case, &radiances, &levels, expected);
+        let peers = peers.map_err(fit_error)?;
+        let beside = spots.counted_samples();
+        let of_spots = self.peers(case, spots, &beside, expected);
+        let of_spots = of_spots.map_err(fit_error)?;
+        let seen = peers.beside(&levels);
+        let remarks = remarks(&radiances.exact, &seen, &of_spots.beside(&beside));
         let standing = standing::of(&Judged {
             measured: &measured,
             expected,
@@ -260,6 +306,7 @@ impl Asked<'_> {
             measured,
             failures,
             is_required: peers.all_show(expected),
+            is_as_good: seen.last().is_some_and(Seen::is_as_good),
             right_to_quantum: self.right_to_quantum(&levels, peers.all()),
             remarks,
             steady,
