@@ -76,3 +76,30 @@ fn what_the_method_cannot_show_is_not_asked_of_a_kernel() {
     let confirmed = Some(Verdict::Confirmed);
     assert_eq!(standing(&third, second, confirmed), Standing::Contradicted);
 }
+
+/// In binary16 what is far below its smallest number is 0, whoever computes it.
+#[test]
+fn what_all_methods_of_an_order_show_in_a_format_contradicts_nobody() {
+    let second = Expected::Order(2.0);
+    let stalled = measured(2.0, 0.1, second);
+    assert_eq!(stalled.verdict(), Verdict::Stalled);
+    let beside = |of_order: &[Verdict]| {
+        of(&Judged {
+            of_order,
+            resolvable: Some(of_order.contains(&Verdict::Confirmed)),
+            resolved: true,
+            reported: None,
+            measured: &stalled,
+            expected: Some(second),
+            failures: &[],
+            of_method: None,
+            in_range: true,
+            sound: true,
+        })
+    };
+    let all = [Verdict::Stalled; 3];
+    assert_eq!(beside(&all), Standing::Unresolved);
+    let one_converges = [Verdict::Stalled, Verdict::PreAsymptotic, Verdict::Stalled];
+    assert_eq!(beside(&one_converges), Standing::Contradicted);
+    assert_eq!(beside(&[]), Standing::Contradicted);
+}

@@ -106,7 +106,7 @@ pub(super) fn unresolved(verification: &Verification) -> Vec<Finding> {
         let names: Vec<&str> = lines.iter().map(|line| line.name.as_str()).collect();
         (!names.is_empty()).then(|| {
             let said = format!("{} ({why})", names.join(", "));
-            Finding::new("not resolved", said).toned(Tone::Open)
+            Finding::new("not resolved", said)
         })
     };
     groups.into_iter().filter_map(said).collect()

@@ -142,7 +142,9 @@ pub(super) fn remarks(exact: &Float, levels: &[Seen], spots: &[Seen]) -> Vec<Rem
         }),
         _ => None,
     });
-    [at_level, at_spot, plateau].into_iter().flatten().collect()
+    // The first says it.
+    let is_off = at_level.or(at_spot);
+    [is_off, plateau].into_iter().flatten().collect()
 }
 
 fn is_plateau(levels: &[Seen]) -> bool {

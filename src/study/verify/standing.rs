@@ -147,7 +147,12 @@ pub fn of(judged: &Judged<'_>) -> Standing {
         }
         Some(of_method) => does_not_converge && verdict != of_method,
         // Of an order alone nobody knows on which cases it is higher.
-        None if is_order => misses && judged.resolved,
+        // And in a format in which all of its methods show the same, nobody does better.
+        None if is_order => {
+            let same = |of_order: &Verdict| *of_order == verdict;
+            let as_all = !judged.of_order.is_empty() && judged.of_order.iter().all(same);
+            misses && judged.resolved && !as_all
+        }
         // Whatever the order is, methods converge.
         None => {
             let converges = |verdict: &Verdict| !DOES_NOT.contains(verdict);
