@@ -72,7 +72,8 @@ fn what_never_answers_could_not_run_and_says_why() {
         }
         for line in document["lines"].as_array().unwrap() {
             assert_eq!(line["standing"], "failed");
-            assert_eq!(line["failures"].as_array().unwrap().len(), 6);
+            // Six levels, and two numbers of segments beside them.
+            assert_eq!(line["failures"].as_array().unwrap().len(), 8);
         }
     }
 }
@@ -216,7 +217,8 @@ fn a_kernel_that_answers_nothing_is_given_up_in_the_end() {
     let kernel = marked.kernel(&["--trouble", "garbage"]);
     let kernel: Vec<&str> = kernel.iter().map(String::as_str).collect();
     let fourth = volver(&[&["verify"], &four[..], &kernel].concat()).with_code(2);
-    assert_eq!(given_up(&fourth.json()["lines"][3]), 4);
+    // Four levels, and one number of segments beside them.
+    assert_eq!(given_up(&fourth.json()["lines"][3]), 5);
 }
 
 #[test]
