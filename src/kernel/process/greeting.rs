@@ -95,9 +95,11 @@ fn greeting(hello: KernelHello) -> Result<Greeting, String> {
         stochastic: hello.stochastic,
         sampling: hello.sampling.map(Into::into),
         step_divides: hello.step.is_some_and(|WireStep::Divides| true),
-        multiple_of: hello
-            .segments
-            .map_or(NonZeroU64::MIN, |segments| segments.multiple_of),
+        multiple_of: match hello.segments.map(|segments| segments.multiple_of) {
+            None => NonZeroU64::MIN,
+            Some(multiple) => NonZeroU64::new(multiple)
+                .ok_or("segments: multiples of 0 (allowed: of 1 or more)")?,
+        },
         far_wall: hello.far_wall,
     };
     Ok(Greeting {

@@ -7,7 +7,6 @@ use crate::kernel::Sampling;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 use serde_json::Value;
-use std::num::NonZeroU64;
 
 /// What a greeting says that it is.
 #[derive(Clone, Copy, Debug, Serialize, Deserialize)]
@@ -128,10 +127,11 @@ pub(super) enum WireSampling {
 /// Which numbers of segments a kernel works on.
 #[derive(Clone, Copy, Debug, Deserialize)]
 #[cfg_attr(feature = "studies", derive(JsonSchema), schemars(inline))]
-#[serde(deny_unknown_fields)]
+#[serde(deny_unknown_fields, expecting = "an object with the key multiple_of")]
 pub(super) struct WireSegments {
     /// Multiples of this.
-    pub(super) multiple_of: NonZeroU64,
+    #[cfg_attr(feature = "studies", schemars(range(min = 1)))]
+    pub(super) multiple_of: u64,
 }
 
 /// Which steps a kernel works with.

@@ -213,7 +213,7 @@ impl Settings {
     /// wanted, and steps that divide the ray where it takes no others.
     ///
     /// # Errors
-    /// [`SettingsError::Multiple`], [`SettingsError::TooFine`].
+    /// [`SettingsError::Multiple`].
     pub fn suited(&self, declaration: &Declaration) -> Result<Settings, SettingsError> {
         let mut suited = self.clone();
         if self.axis == Axis::Grid {
@@ -227,12 +227,9 @@ impl Settings {
             suited.steps = Steps::Divide;
         }
         let multiple = declaration.multiple_of.get();
-        for n in &mut suited.ladder {
-            let next = n.checked_next_multiple_of(multiple);
-            *n = next
-                .filter(|n| *n <= MAX_LEVEL)
-                .ok_or(SettingsError::TooFine { n: *n })?;
-        }
+        let next = |n: &u64| n.checked_next_multiple_of(multiple);
+        let ladder = self.ladder.iter().filter_map(next);
+        suited.ladder = ladder.filter(|n| *n <= MAX_LEVEL).collect();
         suited.ladder.dedup();
         let levels = suited.ladder.len();
         if levels < MIN_LEVELS.min(self.ladder.len()) {

@@ -232,7 +232,12 @@ fn what_is_wrong_with_a_greeting_is_named_with_what_is_allowed() {
         (
             "segments",
             json!({"multiple_of": 0}),
-            "invalid value: integer '0' (allowed: a nonzero u64)",
+            "segments: multiples of 0 (allowed: of 1 or more)",
+        ),
+        (
+            "segments",
+            json!(2),
+            "invalid type: integer '2' (allowed: an object with the key multiple_of)",
         ),
         (
             "segments",

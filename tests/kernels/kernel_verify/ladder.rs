@@ -208,10 +208,13 @@ fn a_multiple_that_the_ladder_has_too_few_of_is_refused() {
             levels: 2
         })
     );
-    assert!(matches!(
+    assert_eq!(
         refused(u64::MAX),
-        VerifyError::Settings(SettingsError::TooFine { n: 9 })
-    ));
+        VerifyError::Settings(SettingsError::Multiple {
+            multiple: u64::MAX,
+            levels: 0
+        })
+    );
 }
 
 #[test]
