@@ -142,6 +142,20 @@ fn answers_of_eight_bits_are_right_to_one_of_them() {
     not_confirmed(&bits(0.01));
 }
 
+/// In bfloat16 hundreds of roundings could add up to anything: what is a third too bright is not taken for that.
+#[test]
+fn no_floor_hides_a_third_of_the_answer() {
+    let declaration = Declaration {
+        format: FormatName::Bf16,
+        ..of_order(2.0)
+    };
+    let bright = of_segments(declaration, |_, segments, channel| {
+        composite(middles(segments, channel)) * 4.0 / 3.0
+    });
+    not_confirmed(&bright);
+    assert!(bright.counts().contradicted >= 10, "{}", shown(&bright));
+}
+
 /// Extrapolated from every second segment: right where there is an even number of equal ones, and nowhere else.
 fn richardson(segments: &Segments, channel: usize) -> f64 {
     let (t, c) = (
