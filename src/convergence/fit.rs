@@ -21,7 +21,7 @@ use super::verdict::{Beyond, Evidence, Trend, Verdict, alternate, judge, remark_
 use super::window::Window;
 use crate::method::Expected;
 use input::check;
-use levels::Levels;
+use levels::{Levels, running_maximum};
 use regression::Asymptote;
 use rug::Float;
 use serde::Serialize;
@@ -186,14 +186,9 @@ pub fn fit(samples: &[Sample], expected: Option<Expected>) -> Result<Fit, FitErr
         ),
         None => last_order(&orders, levels.points[..levels.usable].last()),
     };
-    let floor = samples.iter().map(|s| &s.floor);
-    let floor = floor.fold(Float::new(53), |largest, floor| {
-        if largest > *floor {
-            largest
-        } else {
-            floor.clone()
-        }
-    });
+    let floors = running_maximum(samples.iter().map(|s| s.floor.clone()));
+    let floor = floors.into_iter().last();
+    let floor = floor.unwrap_or_else(|| Float::new(53));
     let mut notes = remarks::remarks(&levels, asymptote, &pairs, own_floor);
     if own_floor.is_none() {
         remark_missing_floor(verdict, !floor.is_zero(), &mut notes);

@@ -9,7 +9,7 @@ use std::fmt;
 pub const MAX_HALF_WIDTH: f64 = 0.25;
 
 /// Orders below this do not count as convergence.
-pub(super) const NO_CONVERGENCE: f64 = 0.1;
+pub(crate) const NO_CONVERGENCE: f64 = 0.1;
 
 /// What the errors of a ladder say, compared with the order expected.
 ///

@@ -66,7 +66,7 @@ pub fn radiance_by<R: Real>(
     composited(recipe, ray, format, formula, identity)
 }
 
-/// Σ |T·aⱼ|: what a radiance is made of. Linear opacities above 1 make T alternate in sign, and terms cancel.
+/// Σ |T·aⱼ|: what a radiance is made of, where terms cancel.
 pub(super) fn terms(recipe: &Recipe, ray: &Ray<f64>) -> f64 {
     let (mut sum, mut transmittance) = (0.0, 1.0_f64);
     for step in steps(recipe, ray, Native::<f64>::new()) {

@@ -8,7 +8,7 @@ use super::stops::{USUAL, explained};
 use super::values::{MOST_DIGITS, correct_digits, in_quanta, values};
 use super::{
     Accumulator, Accuracy, Fingerprint, FixedRounding, FixedScale, Match, Model, OpacityModel,
-    Recipe, Watched, fixed,
+    Recipe, Watched, WatchedLevel, fixed,
 };
 use crate::case::{Shared, SymbolicCase};
 use crate::method::Level;
@@ -232,14 +232,9 @@ impl<'a> Search<'a> {
             let mut worst = Some(MOST_DIGITS);
             for (level, value) in watched.levels.iter().zip(values) {
                 let accuracy = in_quanta(&model, level, accuracy);
-                let of_terms = match &model {
-                    Model::Recipe(recipe) if recipe.opacity == OpacityModel::Linear => {
-                        terms(recipe, &level.ray)
-                    }
-                    Model::Recipe(_) | Model::Method(_) => 0.0,
-                };
-                let scale = watched.scale.max(of_terms);
-                if !scale.is_finite() || !level.agrees(value, scale, accuracy) {
+                if !level.agrees(value, watched.scale, accuracy)
+                    && !agrees_by_terms(&model, level, value, accuracy)
+                {
                     worst = None;
                     break;
                 }
@@ -310,5 +305,16 @@ impl<'a> Search<'a> {
             }
         }
         (best, alike)
+    }
+}
+
+/// Whether it agrees but for the rounding of terms that cancel: linear opacities above 1 make them alternate in sign.
+fn agrees_by_terms(model: &Model, level: &WatchedLevel, value: f64, accuracy: Accuracy) -> bool {
+    match model {
+        Model::Recipe(recipe) if recipe.opacity == OpacityModel::Linear => {
+            let terms = terms(recipe, &level.ray);
+            terms.is_finite() && level.agrees(value, terms, accuracy)
+        }
+        Model::Recipe(_) | Model::Method(_) => false,
     }
 }

@@ -1,6 +1,7 @@
 //! What a kernel said, and how well it can be expected to agree with a model.
 
-use super::{Lookup, Ray};
+use super::march::terms;
+use super::{Lookup, Places, Ray, Recipe};
 use crate::case::SymbolicCase;
 
 /// One channel of a case, rendered by a kernel at some levels.
@@ -100,13 +101,11 @@ impl Ray<f64> {
         if !is(&|c| c < 0.0) || !is(&|c| c > 0.0) {
             return None;
         }
-        let (mut sum, mut transmittance) = (0.0, 1.0);
-        for (transfer, length) in self.middles.iter().zip(&self.lengths) {
-            let passes = (-transfer.extinction * length).exp();
-            sum += transmittance * (1.0 - passes) * transfer.emission.abs();
-            transmittance *= passes;
-        }
-        Some(sum)
+        let middles = Recipe {
+            places: Places::Middle,
+            ..Recipe::default()
+        };
+        Some(terms(&middles, self))
     }
 
     /// The largest |C| that was given.

@@ -2,7 +2,7 @@
 
 use rug::Float;
 use volver::convergence::{Sample, Verdict, fit};
-use volver::inside::study::verify::{Judged, of};
+use volver::inside::study::verify::{Judged, methods, of};
 use volver::method::Expected;
 use volver::study::verify::{Measured, Standing};
 
@@ -102,4 +102,17 @@ fn what_all_methods_of_an_order_show_in_a_format_contradicts_nobody() {
     let one_converges = [Verdict::Stalled, Verdict::PreAsymptotic, Verdict::Stalled];
     assert_eq!(beside(&one_converges), Standing::Contradicted);
     assert_eq!(beside(&[]), Standing::Contradicted);
+}
+
+/// A name that no method has would leave an order without one that is asked.
+#[test]
+fn methods_that_kernels_are_measured_by_have_the_order_that_they_stand_for() {
+    for (order, count) in [(1.0, 3), (2.0, 3), (4.0, 2), (6.0, 2)] {
+        let methods = methods(order);
+        assert_eq!(methods.len(), count, "{order}");
+        for method in methods {
+            assert_eq!(method.order(), Expected::Order(order), "{method}");
+        }
+    }
+    assert!(methods(3.0).is_empty());
 }

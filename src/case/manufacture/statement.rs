@@ -58,7 +58,13 @@ impl Statement {
     /// no medium.
     #[must_use]
     pub fn is_of_medium(self) -> bool {
-        self == Statement::ExtinctionNonNegative || self.is_asked_by_theorems()
+        matches!(
+            self,
+            Statement::FieldDefined
+                | Statement::ExtinctionDefined
+                | Statement::ExtinctionNonNegative
+                | Statement::EmissionDefined
+        )
     }
 
     /// Whether theorems on orders of accuracy ask for it.

@@ -172,7 +172,7 @@ impl<'a> Levels<'a> {
 }
 
 /// The largest floor up to each level. A NaN stays NaN: it is a verdict of its own.
-fn running_maximum(floors: impl Iterator<Item = Float>) -> Vec<Float> {
+pub(super) fn running_maximum(floors: impl Iterator<Item = Float>) -> Vec<Float> {
     let mut largest: Vec<Float> = Vec::new();
     for floor in floors {
         let floor = match largest.last() {

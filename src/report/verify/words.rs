@@ -40,12 +40,10 @@ fn short(order: f64) -> String {
 
 /// "1.003 ± 0.021", of random numbers both parts, the larger first; nothing without a window.
 pub(super) fn order(line: &Line) -> String {
-    let is_windowed = match &line.measured {
-        Measured::Fitted { fit, .. } => fit.window.is_some(),
-        Measured::Scattered(fit) => return scattered::both(fit),
-        Measured::Nothing => false,
-    };
-    let order = line.measured.order().filter(|_| is_windowed);
+    if let Measured::Scattered(fit) = &line.measured {
+        return scattered::both(fit);
+    }
+    let order = line.measured.order();
     order.map_or(NONE.into(), |(order, half_width)| {
         format!("{order:.3} ± {:.3}", up(half_width))
     })

@@ -67,12 +67,15 @@ impl Measured {
         }
     }
 
-    /// The order and the half-width of its interval; of a kernel that draws random numbers that of the larger part of its
-    /// error, where that has one.
+    /// The order and the half-width of its interval, where there is a window for one; of a kernel that draws random numbers
+    /// that of the larger part of its error, where that has one.
     #[must_use]
     pub fn order(&self) -> Option<(f64, f64)> {
         match self {
-            Measured::Fitted { fit, .. } => fit.order.zip(fit.half_width),
+            Measured::Fitted { fit, .. } => {
+                fit.window?;
+                fit.order.zip(fit.half_width)
+            }
             Measured::Scattered(fit) => {
                 let parts = [fit.larger, ErrorPart::Scatter, ErrorPart::Bias];
                 let mut orders = parts.into_iter().filter_map(|part| fit.order_of(part));
@@ -106,17 +109,23 @@ impl Line {
     /// The largest error of all levels, as a part of the radiance; of random answers, that of their mean.
     #[must_use]
     pub fn largest_error(&self) -> Option<f64> {
+        let bits = self.exact.prec();
         let errors: Vec<f64> = match &self.measured {
             Measured::Fitted { samples, .. } => {
-                samples.iter().map(|sample| sample.error.to_f64()).collect()
+                let errors = samples.iter().map(|sample| &sample.error);
+                errors.map(|error| part_of(&self.exact, error)).collect()
             }
-            Measured::Scattered(fit) => fit.levels.iter().map(|level| level.mean).collect(),
+            Measured::Scattered(fit) => {
+                let means = fit
+                    .levels
+                    .iter()
+                    .map(|level| Float::with_val(bits, level.mean));
+                means.map(|mean| part_of(&self.exact, &mean)).collect()
+            }
             Measured::Nothing => Vec::new(),
         };
-        let scale = self.exact.to_f64().abs();
-        let largest = errors.into_iter().map(|error| error.abs() / scale);
         // NaN is the largest of all.
-        largest.max_by(f64::total_cmp)
+        errors.into_iter().max_by(f64::total_cmp)
     }
 
     /// Whether every level was answered.
@@ -228,4 +237,11 @@ impl Radiances {
         };
         self.levels.iter().map(replicas).collect()
     }
+}
+
+/// |x| as a part of the radiance: either may lie beyond binary64.
+pub(super) fn part_of(exact: &Float, x: &Float) -> f64 {
+    Float::with_val(f64::MANTISSA_DIGITS, x / exact)
+        .to_f64()
+        .abs()
 }

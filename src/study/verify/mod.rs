@@ -7,7 +7,7 @@ mod expectation;
 mod explain;
 mod line;
 mod nominal;
-mod peers;
+pub(crate) mod peers;
 mod remark;
 mod scattered;
 mod seeds;

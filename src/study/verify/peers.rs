@@ -32,6 +32,16 @@ const METHODS: [(f64, &[&str]); 4] = [
     (6.0, &["boole/boole", "gauss-3/gauss-3"]),
 ];
 
+/// The methods of that order; none where there is none.
+#[must_use]
+pub fn methods(order: f64) -> Vec<Method> {
+    let names = METHODS
+        .iter()
+        .find(|(own, _)| (own - order).abs() < f64::EPSILON);
+    let names = names.map_or(&[][..], |(_, names)| names);
+    names.iter().filter_map(|name| name.parse().ok()).collect()
+}
+
 /// A method on the levels of a kernel.
 #[derive(Clone, Debug)]
 pub(super) struct Peer {
@@ -85,11 +95,7 @@ impl Peers {
         exact: &Float,
         levels: &[(u64, Sample)],
     ) -> Result<Peers, FitError> {
-        let names = METHODS
-            .iter()
-            .find(|(own, _)| (own - order).abs() < f64::EPSILON);
-        let names = names.map_or(&[][..], |(_, names)| names);
-        let methods: Vec<Method> = names.iter().filter_map(|name| name.parse().ok()).collect();
+        let methods = methods(order);
         let mut peers = Vec::with_capacity(methods.len());
         for method in methods {
             let run = |(n, _): &(u64, Sample)| radiance_in(format, &method, case, *n);
@@ -117,14 +123,14 @@ impl Peers {
         }
     }
 
-    /// The errors of a kernel's levels beside the largest of theirs; nothing where there are none.
-    pub(super) fn beside(&self, levels: &[(u64, Sample)]) -> Vec<Seen> {
+    /// The errors of a kernel's levels beside the largest of theirs; nothing where there are none, or no light.
+    pub(super) fn beside(&self, exact: &Float, levels: &[(u64, Sample)]) -> Vec<Seen> {
         let methods = self.all();
-        if methods.is_empty() {
+        if methods.is_empty() || exact.is_zero() {
             return Vec::new();
         }
         let seen = levels.iter().enumerate();
-        seen.map(|(place, (segments, sample))| Seen::new(*segments, sample, methods, place))
+        seen.map(|(place, level)| Seen::new(exact, level, methods, place))
             .collect()
     }
 

@@ -1,12 +1,12 @@
 //! What is visibly wrong with errors, whatever their order is.
 
+use super::line::part_of;
 use super::peers::Peer;
-use crate::convergence::Sample;
+use crate::convergence::verdict::NO_CONVERGENCE;
+use crate::convergence::{FLOOR_MARGIN, Sample};
 use rug::Float;
 use std::fmt;
 
-/// Pairwise orders below this are none.
-const FLAT: f64 = 0.1;
 /// Pairwise orders above this fall.
 const FALLING: f64 = 0.5;
 /// Levels of a plateau.
@@ -17,8 +17,6 @@ const OTHER: f64 = 10.0;
 const BEYOND: f64 = 100.0;
 /// At the finest levels an error of this part of the radiance is no small matter.
 const LARGE: f64 = 0.01;
-/// So many floors are no roundoff.
-const FLOORS: f64 = 30.0;
 
 /// What is visibly wrong.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -67,27 +65,33 @@ impl fmt::Display for Remark {
     }
 }
 
-/// A level: segments, the kernel's error there with its floor, and the largest error of the methods.
+/// A level: segments, the kernel's error there with its floor, and the largest error of the methods, as parts of the
+/// radiance.
 #[derive(Clone, Debug)]
 pub(super) struct Seen {
-    pub(super) segments: u64,
-    pub(super) step: f64,
-    pub(super) error: f64,
-    pub(super) floor: f64,
-    pub(super) of_methods: f64,
+    segments: u64,
+    step: f64,
+    error: f64,
+    floor: f64,
+    of_methods: f64,
 }
 
 impl Seen {
     /// Of a kernel's sample, beside the methods' at that place of their levels.
-    pub(super) fn new(segments: u64, sample: &Sample, methods: &[Peer], place: usize) -> Seen {
-        let size = |sample: &Sample| sample.error.to_f64().abs();
+    pub(super) fn new(
+        exact: &Float,
+        (segments, sample): &(u64, Sample),
+        methods: &[Peer],
+        place: usize,
+    ) -> Seen {
         let of_methods = methods.iter().filter_map(|peer| peer.samples.get(place));
+        let of_methods = of_methods.map(|sample| part_of(exact, &sample.error));
         Seen {
-            segments,
+            segments: *segments,
             step: sample.step,
-            error: size(sample),
-            floor: sample.floor.to_f64(),
-            of_methods: of_methods.map(size).fold(0.0, f64::max),
+            error: part_of(exact, &sample.error),
+            floor: part_of(exact, &sample.floor),
+            of_methods: of_methods.fold(0.0, f64::max),
         }
     }
 
@@ -97,7 +101,7 @@ impl Seen {
     }
 
     fn is_above(&self, times: f64) -> bool {
-        self.error > times * self.of_methods && self.error > FLOORS * self.floor
+        self.error > times * self.of_methods && self.error > f64::from(FLOOR_MARGIN) * self.floor
     }
 
     /// Whether it is far above both of these too.
@@ -108,21 +112,17 @@ impl Seen {
 }
 
 /// What shows at the levels, and at single numbers of segments beside them.
-pub(super) fn remarks(exact: &Float, levels: &[Seen], spots: &[Seen]) -> Vec<Remark> {
-    let scale = exact.to_f64().abs();
-    if scale == 0.0 {
-        return Vec::new();
-    }
+pub(super) fn remarks(levels: &[Seen], spots: &[Seen]) -> Vec<Remark> {
     let off = |seen: &Seen| Remark::Off {
         n: seen.segments,
-        relative: seen.error / scale,
-        of_methods: seen.of_methods / scale,
+        relative: seen.error,
+        of_methods: seen.of_methods,
     };
     let is_off = |(place, seen): &(usize, &Seen)| {
         let coarser = levels.get(place.saturating_sub(2)..*place);
         let is_fine = place + 2 >= levels.len();
-        (seen.error > scale && seen.is_above(BEYOND))
-            || (is_fine && seen.error > LARGE * scale && seen.is_above(OTHER))
+        (seen.error > 1.0 && seen.is_above(BEYOND))
+            || (is_fine && seen.error > LARGE && seen.is_above(OTHER))
             || seen.rises(coarser.unwrap_or_default())
     };
     let mut all = levels.iter().enumerate();
@@ -133,18 +133,18 @@ pub(super) fn remarks(exact: &Float, levels: &[Seen], spots: &[Seen]) -> Vec<Rem
         spot.rises(coarser.unwrap_or_default())
     };
     let at_spot = spots.iter().find(beside).map(off);
+    // The first says it.
+    let is_off = at_level.or(at_spot);
     let plateau = levels.windows(PLATEAU).find(|levels| is_plateau(levels));
     let plateau = plateau.and_then(|levels| match levels {
         [first, .., last] => Some(Remark::Plateau {
             first: first.segments,
             last: last.segments,
-            relative: last.error / scale,
+            relative: last.error,
         }),
         _ => None,
     });
-    // The first says it.
-    let is_off = at_level.or(at_spot);
-    [is_off, plateau].into_iter().flatten().collect()
+    is_off.into_iter().chain(plateau).collect()
 }
 
 fn is_plateau(levels: &[Seen]) -> bool {
@@ -153,7 +153,7 @@ fn is_plateau(levels: &[Seen]) -> bool {
         _ => f64::NAN,
     };
     let stays = |pair: &[Seen]| {
-        order(pair, &|seen| seen.error).abs() < FLAT
+        order(pair, &|seen| seen.error).abs() < NO_CONVERGENCE
             && order(pair, &|seen| seen.of_methods) > FALLING
     };
     levels.iter().all(|level| level.is_above(1.0)) && levels.windows(2).all(stays)

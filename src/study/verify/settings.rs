@@ -246,8 +246,12 @@ impl Settings {
         } else {
             1
         };
+        // What cannot be suited is refused before anything is asked.
+        let suited = self.suited(declaration);
+        let settings = suited.as_ref().unwrap_or(self);
         let cuts = subjects.iter().flat_map(|subject| {
-            self.cuts(subject.length())
+            settings
+                .cuts(subject.length())
                 .into_iter()
                 .map(move |cut| (cut, subject))
         });

@@ -341,6 +341,36 @@ fn what_is_lost_at_single_levels_is_seen() {
     }
 }
 
+/// One per cent too bright over three levels, and right before and after.
+#[test]
+fn a_plateau_on_the_way_is_named() {
+    let found = of_segments(of_order(2.0), |task, segments, channel| {
+        let radiance = composite(middles(segments, channel));
+        let is_held = task.subject.name() == "cloud" && (33..=129).contains(&task.segments);
+        radiance * if is_held { 1.01 } else { 1.0 }
+    });
+    not_confirmed(&found);
+    let line = found
+        .lines
+        .iter()
+        .find(|line| line.name == "cloud")
+        .unwrap();
+    let plateau = line
+        .remarks
+        .iter()
+        .find(|r| matches!(r, Remark::Plateau { .. }));
+    let Some(Remark::Plateau {
+        first,
+        last,
+        relative,
+    }) = plateau
+    else {
+        panic!("{:?}", line.remarks);
+    };
+    assert_eq!((*first, *last), (33, 129));
+    assert!((relative - 0.01).abs() < 0.001, "{relative}");
+}
+
 /// 0 where there is little light, and too bright by a tenth where theory promises no order.
 #[test]
 fn faint_answers_and_unpromised_ones_are_looked_at() {

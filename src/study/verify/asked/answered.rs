@@ -284,8 +284,9 @@ impl Asked<'_> {
         let beside = spots.counted_samples();
         let of_spots = self.peers(case, spots, &beside, expected);
         let of_spots = of_spots.map_err(fit_error)?;
-        let seen = peers.beside(&levels);
-        let remarks = remarks(&radiances.exact, &seen, &of_spots.beside(&beside));
+        let exact = &radiances.exact;
+        let seen = peers.beside(exact, &levels);
+        let remarks = remarks(&seen, &of_spots.beside(exact, &beside));
         let standing = standing::of(&Judged {
             measured: &measured,
             expected,
