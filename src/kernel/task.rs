@@ -1,14 +1,14 @@
 //! What a kernel is given.
 
-use super::Subject;
+use super::Medium;
 use crate::symbolic::code::Language;
 use std::fmt;
 
 /// One ray to render.
 #[derive(Clone, Copy, Debug)]
 pub struct Task<'a> {
-    /// The case. As many radiances are wanted as it has channels.
-    pub subject: &'a Subject,
+    /// The ray. As many radiances are wanted as it has channels.
+    pub subject: &'a dyn Medium,
     /// The step d asked for.
     pub step: f64,
     /// How many segments that makes: ⌈D/d⌉, the last one shorter where d does not divide D.
@@ -39,7 +39,7 @@ pub enum FormKind {
     Volume,
     /// Source code of s, τ and C.
     Formula(Language),
-    /// A function λ → (C, τ) to call, [`Subject::at`]; for kernels in this process alone.
+    /// A function λ → (C, τ) to call, [`Medium::at`]; for kernels in this process alone.
     Function,
 }
 

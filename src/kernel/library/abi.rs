@@ -17,7 +17,7 @@
 
 use super::declared::Declared;
 use super::fits;
-use crate::kernel::{Data, Samples, Subject, Task};
+use crate::kernel::{Data, Medium as Asked, Samples, Task};
 use libloading::os::unix::{Library, RTLD_LOCAL, RTLD_NOW};
 use std::any::Any;
 use std::error::Error;
@@ -315,7 +315,7 @@ fn refusal(code: c_int, message: &[c_char]) -> String {
 
 /// What the callback knows.
 struct Medium<'a> {
-    subject: &'a Subject,
+    subject: &'a dyn Asked,
     /// A panic on its way around the library.
     panic: Mutex<Option<Box<dyn Any + Send>>>,
 }
