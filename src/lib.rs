@@ -48,6 +48,7 @@ pub mod confirm;
 pub mod convergence;
 pub mod diagnosis;
 pub mod document;
+pub mod identify;
 pub mod input;
 #[doc(hidden)]
 pub mod inside;

@@ -1,0 +1,114 @@
+//! Whether channels are alike, and whose answer stands where.
+
+use super::NotIdentified;
+use super::random::Random;
+use super::ray::{Emission, Layers};
+use super::rule::Channels;
+use super::session::Session;
+use super::state::State;
+
+/// Extinction of the even rays that ask for the output's map.
+pub(super) const EXTINCTION: f64 = 0.75;
+/// Their length in segments, where any will do.
+pub(super) const SEGMENTS: usize = 8;
+
+/// An even medium.
+pub(super) fn even(session: &Session<'_>) -> Layers {
+    Layers::of(
+        0.25,
+        &vec![EXTINCTION; SEGMENTS.next_multiple_of(session.multiple)],
+    )
+}
+
+/// The answers to emissions that are the same everywhere, in their order.
+pub(super) fn constants(
+    session: &mut Session<'_>,
+    sizes: &[f64],
+) -> Result<Vec<f64>, NotIdentified> {
+    let layers = even(session);
+    let n = layers.count();
+    let emission: Vec<Emission> = sizes.iter().map(|c| Emission::even(n, *c)).collect();
+    let ray = session.ray(&layers, &emission);
+    Ok(session.ask(&ray)?)
+}
+
+/// Equal channels, one channel alone, and three different ones.
+pub(super) fn channels(
+    session: &mut Session<'_>,
+    state: &State,
+    noise: f64,
+) -> Result<Channels, NotIdentified> {
+    let three = constants(session, &[0.125, 0.25, 0.5])?;
+    let mut random = Random::new(3);
+    let layers = even(session);
+    let n = layers.count();
+    let one = Emission::of(n, |_| random.within(0.1, 0.4));
+    let ray = session.ray(&layers, &[one.clone(), one.clone(), one]);
+    let same = session.ask(&ray)?;
+    let spread = spread(&same);
+    if spread > noise * same[0].abs() && !state.seed {
+        return Err(
+            NotIdentified::new("channels of the same emission have different answers")
+                .with_answers(&[same]),
+        );
+    }
+    if three[0].to_bits() == three[1].to_bits() && three[1].to_bits() == three[2].to_bits() {
+        let turned = constants(session, &[0.5, 0.25, 0.125])?;
+        return Err(NotIdentified::new(if turned == three {
+            "the answer does not depend on the emission"
+        } else {
+            "all channels have the answer of one"
+        })
+        .with_answers(&[three, turned]));
+    }
+    let alone = constants(session, &[0.0, 0.25, 0.0])?;
+    if noise == 0.0 && !state.seed {
+        let dark = constants(session, &[0.0, 0.0, 0.0])?;
+        if alone[0].to_bits() != dark[0].to_bits() || alone[2].to_bits() != dark[2].to_bits() {
+            return Err(NotIdentified::new(
+                "a channel's answer depends on another channel's emission",
+            )
+            .with_answers(&[alone, dark]));
+        }
+    }
+    let sizes: Vec<f64> = [5, 2, 7, 1, 6, 3, 4]
+        .iter()
+        .map(|k| f64::from(*k) / 8.0)
+        .collect();
+    let seven = constants(session, &sizes)?;
+    let rises = |channels: Channels, sizes: &[f64], answers: &[f64]| {
+        let count = sizes.len();
+        let mut pairs: Vec<(f64, f64)> = (0..count)
+            .map(|k| (sizes[k], answers[channels.place(k, count)]))
+            .collect();
+        pairs.sort_by(|u, v| u.0.total_cmp(&v.0));
+        let slack = 2.0 * noise;
+        pairs
+            .windows(2)
+            .all(|w| w[1].1 - w[0].1 >= -slack * w[1].1.abs())
+            && pairs[0].1 < pairs[count - 1].1
+    };
+    let all = [
+        Channels::Straight,
+        Channels::ReversedByThrees,
+        Channels::Reversed,
+    ];
+    let fits =
+        |c: &&Channels| rises(**c, &sizes, &seven) && rises(**c, &[0.125, 0.25, 0.5], &three);
+    match all.iter().find(fits) {
+        Some(found) => Ok(*found),
+        None => Err(
+            NotIdentified::new("answers do not rise with the channels' emissions")
+                .with_answers(&[three, seven]),
+        ),
+    }
+}
+
+fn spread(values: &[f64]) -> f64 {
+    let (low, high) = values
+        .iter()
+        .fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), y| {
+            (low.min(*y), high.max(*y))
+        });
+    high - low
+}

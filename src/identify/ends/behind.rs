@@ -1,0 +1,102 @@
+//! Answers without emission.
+
+use crate::identify::NotIdentified;
+use crate::identify::number::simplest;
+use crate::identify::ray::{Emission, Layers};
+use crate::identify::rule::Rule;
+use crate::identify::session::Session;
+use crate::identify::weights::Answers;
+
+/// What is added.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub(in crate::identify) struct Behind {
+    /// Seen through the ray.
+    pub(in crate::identify) background: f64,
+    pub(in crate::identify) of_background: (f64, f64),
+    /// Whatever the ray.
+    pub(in crate::identify) offset: f64,
+    pub(in crate::identify) of_offset: (f64, f64),
+}
+
+/// Segments.
+const SEGMENTS: usize = 8;
+
+/// Answers behind next to nothing, something, much.
+pub(in crate::identify) fn behind(
+    session: &mut Session<'_>,
+    answers: &Answers,
+    reference: f64,
+    rule: &Rule,
+) -> Result<Behind, NotIdentified> {
+    let unrolled = usize::try_from(rule.sequence.unrolled).unwrap_or(1).max(1);
+    let n = SEGMENTS
+        .next_multiple_of(unrolled)
+        .next_multiple_of(session.multiple);
+    let length = 0.25;
+    let mut rows = Vec::new();
+    for tau in [
+        1e-9 * reference,
+        8.0 * reference,
+        24.0 * reference,
+        400.0 * reference,
+    ] {
+        let taus = vec![tau; n];
+        let layers = Layers::of(length, &taus);
+        let ray = session.ray(&layers, &[Emission::even(n, 0.0)]);
+        let y = session.ask(&ray)?;
+        let composed = rule.composed(&ray.segments, ray.step, crate::real::Native::<f64>::new());
+        let y = answers.radiance(y[0]);
+        rows.push((composed.passes, y.value, y.error));
+    }
+    let most = rows.iter().map(|(_, y, _)| y.abs()).fold(0.0, f64::max);
+    let slack = rows.iter().map(|(.., e)| *e).fold(0.0, f64::max) * 3.0 + 1e-14;
+    if most <= slack {
+        return Ok(Behind::default());
+    }
+    let failed = || {
+        let rows = rows.iter().map(|(p, y, e)| vec![*p, *y, *e]).collect();
+        NotIdentified::new("answers without emission are no background and no constant")
+            .with_rows(&["let through", "answer", "error"], rows)
+    };
+    // y = offset + background p, by the first and the last.
+    let (first, last) = (rows[0], rows[3]);
+    if (first.0 - last.0).abs() < 1e-9 {
+        // Nothing absorbs: behind or in front, no probe can tell.
+        let same = rows.iter().all(|(_, y, _)| (y - first.1).abs() <= slack);
+        return if same {
+            let bracket = (first.1 - slack, first.1 + slack);
+            Ok(Behind {
+                offset: simplest(bracket.0, bracket.1),
+                of_offset: bracket,
+                ..Behind::default()
+            })
+        } else {
+            Err(failed())
+        };
+    }
+    let background = (first.1 - last.1) / (first.0 - last.0);
+    let offset = first.1 - background * first.0;
+    let fits = |(p, y, _): &(f64, f64, f64)| {
+        (offset + background * p - y).abs() <= 4.0 * slack + 64.0 * answers.unit * y.abs()
+    };
+    if !rows.iter().all(fits) {
+        return Err(failed());
+    }
+    let slack = 2.0 * slack + 8.0 * answers.unit * most;
+    let of = |value: f64| {
+        let bracket = (value - slack, value + slack);
+        if value.abs() <= slack {
+            (0.0, bracket)
+        } else {
+            (simplest(bracket.0, bracket.1), bracket)
+        }
+    };
+    let (background, of_background) = of(background);
+    let (offset, of_offset) = of(offset);
+    Ok(Behind {
+        background,
+        of_background,
+        offset,
+        of_offset,
+    })
+}

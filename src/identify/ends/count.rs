@@ -1,0 +1,179 @@
+//! How many samples are taken of n segments.
+
+use super::Lone;
+use crate::identify::NotIdentified;
+use crate::identify::influence::layers_at;
+use crate::identify::ray::Emission;
+use crate::identify::rule::{Place, Rule, Sequence, StopBy};
+use crate::identify::session::Session;
+use crate::identify::weights::nodes_of;
+use crate::identify::weights::weights;
+
+/// Numbers of segments whose samples are counted.
+const SMALL: [usize; 8] = [1, 2, 3, 5, 8, 9, 13, 17];
+/// Where loops have fewer questions to spend.
+const LEAN: [usize; 3] = [1, 7, 13];
+/// Groups that loops are unrolled by.
+const GROUPS: [u64; 7] = [2, 4, 8, 16, 3, 5, 7];
+/// Segments of a long ray.
+const LONG: usize = 1_200;
+/// Borders looked at in one ray.
+const AT_ONCE: usize = 42;
+
+/// The sequence with its counts.
+pub(in crate::identify) fn counts(
+    session: &mut Session<'_>,
+    lone: &Lone<'_>,
+    rule: &Rule,
+    lean: bool,
+) -> Result<Sequence, NotIdentified> {
+    let mut sequence = lone.measurer.samples.sequence;
+    let place = lone.measurer.samples.place;
+    let extra = sequence.extra.is_some();
+    let tau = visible(lone, lone.reference(0.25) / 4.0);
+    let back = place == Place::Back;
+    let small: &[usize] = if lean { &LEAN } else { &SMALL };
+    let mut seen: Vec<(usize, usize)> = Vec::new();
+    let multiple = session.multiple;
+    for &n in small.iter().filter(|n| n.is_multiple_of(multiple)) {
+        let taus = vec![tau; n];
+        let layers = layers_at(place, 0.25, &taus, &taus);
+        let nodes = nodes_of(place, n, extra);
+        let Ok(found) = weights(session, lone.measurer.answers, &layers, &nodes, &[]) else {
+            // No answer to so few.
+            continue;
+        };
+        let lit = found.of.iter().filter(|w| w.value.abs() > 3.0 * w.error);
+        seen.push((n, lit.count()));
+    }
+    let expected = |sequence: &Sequence, n: usize| {
+        let mut order = sequence.order(n, false, back);
+        order.sort_unstable();
+        order.dedup();
+        order.iter().filter(|i| place.node(**i).is_some()).count()
+    };
+    if seen.iter().any(|(n, lit)| expected(&sequence, *n) != *lit) {
+        let unrolled = GROUPS.iter().map(|group| Sequence {
+            unrolled: *group,
+            last: crate::identify::rule::End::Once,
+            ..sequence
+        });
+        let found = unrolled
+            .into_iter()
+            .find(|s| seen.iter().all(|(n, lit)| expected(s, *n) == *lit));
+        let Some(found) = found else {
+            let rows = seen.iter().map(|(n, lit)| vec![*n as f64, *lit as f64]);
+            return Err(NotIdentified::new(
+                "the number of samples taken is no known function of the number of segments",
+            )
+            .with_rows(&["segments", "samples"], rows.collect()));
+        };
+        sequence = found;
+    }
+    if !sequence.swapped && !lean {
+        sequence.most = most(session, lone, rule, &sequence)?;
+    }
+    Ok(sequence)
+}
+
+/// An extinction from `tau` on at which a segment is seen at all.
+fn visible(lone: &Lone<'_>, tau: f64) -> f64 {
+    let mut tau = tau;
+    let first = tau;
+    while lone.of(tau, 0.25, f64::NAN).0 == 0.0 && tau < 1e6 {
+        tau *= 1.5;
+    }
+    // Not at the very border, where rounding decides.
+    if tau > first { 1.2 * tau } else { tau }
+}
+
+/// The number of samples beyond which none is taken; `None` where all of a long ray are.
+fn most(
+    session: &mut Session<'_>,
+    lone: &Lone<'_>,
+    rule: &Rule,
+    sequence: &Sequence,
+) -> Result<Option<u64>, NotIdentified> {
+    let n = LONG.next_multiple_of(session.multiple);
+    let ray_length = n as f64 * 0.25;
+    let mut tau = lone.reference(0.25) / 64.0;
+    if let Some(skip) = rule_skip(lone) {
+        tau = tau.max(lone.invert(1.0 - 1.5 * skip, 0.25, ray_length));
+    }
+    let tau = visible(lone, tau);
+    let coarse = lone.measurer.answers.is_coarse();
+    let size = if coarse {
+        1e6_f64.min(lone.measurer.answers.emission_max)
+    } else {
+        1.0_f64.min(lone.measurer.answers.emission_max)
+    };
+    let place = lone.measurer.samples.place;
+    let taus = vec![tau; n];
+    let layers = layers_at(place, 0.25, &taus, &taus);
+    let mut lit = |session: &mut Session<'_>, from: &[usize]| {
+        let mut emission = vec![Emission::even(n, 0.0)];
+        for &m in from {
+            let mut behind = Emission::even(n, 0.0);
+            for i in m..n {
+                behind.middles[i] = size;
+                let edge = if place == Place::Back { i + 1 } else { i };
+                behind.edges[edge] = size;
+            }
+            emission.push(behind);
+        }
+        let ray = session.ray(&layers, &emission);
+        let y = session.ask(&ray)?;
+        let answers = lone.measurer.answers;
+        let zero = answers.radiance(y[0]);
+        let is_lit = |y: &f64| {
+            let lit = answers.radiance(*y);
+            (lit.value - zero.value).abs() > 3.0 * (lit.error + zero.error)
+        };
+        Ok::<Vec<bool>, NotIdentified>(y[1..].iter().map(is_lit).collect())
+    };
+    let (mut low, mut high) = (0, n);
+    // The last that is taken at all.
+    let taken = sequence.order(n, false, place == Place::Back);
+    let last = taken.iter().filter_map(|i| usize::try_from(*i).ok());
+    let Some(last) = last.filter(|i| *i < n).max() else {
+        return Ok(None);
+    };
+    if lit(session, &[last])?.first() == Some(&true) {
+        return Ok(None);
+    }
+    while high - low > 1 {
+        let parts = (high - low).min(AT_ONCE);
+        let borders: Vec<usize> = (1..parts).map(|k| low + (high - low) * k / parts).collect();
+        if borders.is_empty() {
+            break;
+        }
+        let seen = lit(session, &borders)?;
+        let far = borders.iter().zip(&seen).filter(|(_, lit)| **lit);
+        let far = far.map(|(m, _)| *m).max();
+        low = far.unwrap_or(low);
+        let dark = borders
+            .iter()
+            .zip(&seen)
+            .filter(|(m, lit)| !**lit && **m > low);
+        high = dark.map(|(m, _)| *m).min().unwrap_or(high);
+    }
+    // Dark because little is left there anyway.
+    let (weight, passes) = lone.of(tau, 0.25, ray_length);
+    let at = i32::try_from(low + 2).unwrap_or(i32::MAX);
+    let left = passes.powi(at);
+    let shows = weight * left * size
+        > 1e-10_f64.max(8.0 * lone.measurer.answers.output.quantum.unwrap_or(0.0));
+    let ended = rule.stop.is_some_and(|stop| match stop.by {
+        StopBy::Transmittance => left <= 2.0 * stop.under,
+        StopBy::Weight => weight * left <= 2.0 * stop.under,
+    });
+    if ended || !shows {
+        return Ok(None);
+    }
+    let missing = u64::from(sequence.last == crate::identify::rule::End::Missing);
+    Ok(Some(low as u64 + 1 + missing))
+}
+
+fn rule_skip(lone: &Lone<'_>) -> Option<f64> {
+    lone.law.range.skip
+}

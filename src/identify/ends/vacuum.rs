@@ -1,0 +1,80 @@
+//! Segments that hold nothing.
+
+use crate::identify::NotIdentified;
+use crate::identify::number::simplest;
+use crate::identify::opacity::measure::Measurer;
+use crate::identify::ray::{Emission, Layers};
+use crate::identify::session::Session;
+
+/// What empty segments do.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub(in crate::identify) struct Vacuum {
+    /// What is added to what a segment lets through.
+    pub(in crate::identify) eps: f64,
+    /// Between these.
+    pub(in crate::identify) bracket: (f64, f64),
+    /// A ray that holds nothing has no finite answer.
+    pub(in crate::identify) whole_fails: bool,
+    /// A ray with an empty segment has none.
+    pub(in crate::identify) part_fails: bool,
+}
+
+/// Empty segments of the ray that shows what they let through.
+const EMPTY: usize = 57;
+
+/// A ray of nothing, one with an empty segment, and one with 57.
+pub(in crate::identify) fn vacuum(
+    session: &mut Session<'_>,
+    measurer: &Measurer<'_>,
+    tau: f64,
+) -> Result<Vacuum, NotIdentified> {
+    let mut vacuum = Vacuum::default();
+    for (taus, is_whole) in [
+        (vec![0.0; 8], true),
+        (vec![tau, tau, 0.0, tau, tau, tau, tau, tau], false),
+    ] {
+        let n = taus.len().next_multiple_of(session.multiple);
+        let mut all = taus;
+        all.resize(n, if is_whole { 0.0 } else { tau });
+        let ray = session.ray(&Layers::of(0.25, &all), &[Emission::even(n, 0.5)]);
+        let finite = session.ask_any(&ray)?.iter().all(|y| y.is_finite());
+        if is_whole {
+            vacuum.whole_fails = !finite;
+        } else {
+            vacuum.part_fails = !finite;
+        }
+    }
+    if vacuum.part_fails || measurer.answers.is_coarse() {
+        return Ok(vacuum);
+    }
+    let n = measurer.suitable(session, EMPTY + 6);
+    let mut taus = vec![0.0; n];
+    for k in [0, 1, 2, n - 3, n - 2, n - 1] {
+        taus[k] = tau;
+    }
+    let w = measurer.weights(session, &taus, 0.25)?;
+    if !(w[1].value > 0.0 && w[2].value > 0.0 && w[n - 2].value > 0.0) {
+        return Ok(vacuum);
+    }
+    // w[n−2]/w[1] = t³ q^(n−6).
+    let through = w[2].value / w[1].value;
+    let count = (n - 6) as f64;
+    let span = w[n - 2].value / w[1].value / through.powi(3);
+    let eps = span.powf(1.0 / count) - 1.0;
+    let part = |k: usize| w[k].error / w[k].value;
+    let unit = measurer.answers.unit;
+    // The references' own opacities are by subtraction, perhaps.
+    let error = (part(n - 2)
+        + 16.0 * unit / (1.0 - through).abs().max(1e-3)
+        + 4.0 * part(1)
+        + 3.0 * part(2)
+        + 8.0 * unit)
+        / count
+        + 2.0 * unit;
+    let error = error + measurer.answers.noise / count;
+    if eps.abs() > 3.0 * error && eps.abs() < 1e-2 {
+        vacuum.bracket = (eps - error, eps + error);
+        vacuum.eps = simplest(eps - error, eps + error);
+    }
+    Ok(vacuum)
+}

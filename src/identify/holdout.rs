@@ -1,0 +1,393 @@
+//! A rule against rays that it was not found with.
+
+use super::random::Random;
+use super::ray::{Emission, Layers, Ray};
+use super::rule::{Rule, Whole};
+use super::session::{Session, Silence};
+use super::weights::Answers;
+use crate::kernel::Segments;
+use crate::real::Native;
+
+/// A kind of rays, and how the rule did on them.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Kind {
+    /// In words.
+    pub name: String,
+    /// Rays asked.
+    pub rays: usize,
+    /// Rays on which every channel agrees.
+    pub agree: usize,
+    /// Rays without an answer.
+    pub unanswered: usize,
+    /// Correct decimal digits of the answer that agrees least.
+    pub digits: f64,
+}
+
+impl Kind {
+    /// Whether the rule was seen to hold on rays of this kind.
+    #[must_use]
+    pub fn holds(&self) -> bool {
+        self.agree > 0 && self.agree + self.unanswered == self.rays
+    }
+}
+
+/// A ray on which a rule fails.
+#[derive(Clone, Debug)]
+pub struct Miss {
+    /// The ray.
+    pub ray: Ray,
+    /// Which channel.
+    pub channel: usize,
+    /// What the kernel answers.
+    pub got: f64,
+    /// What the rule says.
+    pub want: f64,
+}
+
+/// What came of a hold-out.
+#[derive(Clone, Debug, Default)]
+pub struct HoldOut {
+    /// Kind by kind.
+    pub kinds: Vec<Kind>,
+    /// Rays on which it fails.
+    pub misses: Vec<Miss>,
+}
+
+impl HoldOut {
+    /// Whether it holds on every kind.
+    #[must_use]
+    pub fn is_whole(&self) -> bool {
+        !self.kinds.is_empty() && self.kinds.iter().all(Kind::holds)
+    }
+}
+
+/// How rays of a kind are made.
+#[derive(Clone, Copy)]
+struct Make {
+    name: &'static str,
+    /// Optical depths of the whole ray.
+    depth: [f64; 2],
+    segments: [usize; 2],
+    /// The step, by its range.
+    step: [f64; 2],
+    /// The largest emission.
+    bright: f64,
+    what: What,
+    /// How many.
+    rays: usize,
+}
+
+#[derive(Clone, Copy, PartialEq)]
+enum What {
+    /// Everywhere something.
+    Full,
+    /// Four of ten segments hold nothing.
+    Gaps,
+    /// The last segment holds nothing; or the first.
+    EmptyEnd,
+    /// One segment hides all behind it.
+    Opaque,
+    /// Emissions of both signs.
+    Negative,
+}
+
+const USUAL: Make = Make {
+    name: "",
+    depth: [0.02, 3.0],
+    segments: [9, 40],
+    step: [0.03, 0.9],
+    bright: 1.0,
+    what: What::Full,
+    rays: 2,
+};
+
+/// The kinds: what tells rules apart that differ on few rays has one of its own.
+const MAKES: [Make; 13] = [
+    Make {
+        name: "thin",
+        depth: [1e-3, 0.02],
+        ..USUAL
+    },
+    Make {
+        name: "middling",
+        ..USUAL
+    },
+    Make {
+        name: "thick",
+        depth: [3.0, 40.0],
+        ..USUAL
+    },
+    Make {
+        name: "with gaps",
+        what: What::Gaps,
+        ..USUAL
+    },
+    Make {
+        name: "empty at an end",
+        what: What::EmptyEnd,
+        ..USUAL
+    },
+    Make {
+        name: "opaque inside",
+        what: What::Opaque,
+        ..USUAL
+    },
+    Make {
+        name: "of few segments",
+        segments: [1, 4],
+        rays: 4,
+        ..USUAL
+    },
+    Make {
+        name: "of many segments",
+        segments: [41, 64],
+        ..USUAL
+    },
+    Make {
+        name: "bright",
+        bright: 20.0,
+        ..USUAL
+    },
+    Make {
+        name: "short",
+        step: [1e-3, 4e-3],
+        rays: 1,
+        ..USUAL
+    },
+    Make {
+        name: "long",
+        step: [20.0, 60.0],
+        rays: 1,
+        ..USUAL
+    },
+    Make {
+        name: "with negative emission",
+        what: What::Negative,
+        rays: 1,
+        ..USUAL
+    },
+    Make {
+        name: "of very many segments",
+        segments: [1_190, 1_210],
+        rays: 1,
+        ..USUAL
+    },
+];
+
+/// What is held out, beside the rule.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Terms<'a> {
+    pub(super) answers: &'a Answers,
+    /// The extinction of depth 1 in a segment of length 1, by this kernel's law.
+    pub(super) typical: f64,
+    /// Rays with empty segments have no answer.
+    pub(super) no_vacuum: bool,
+    /// It takes negative emissions.
+    pub(super) negative: bool,
+    pub(super) lean: bool,
+}
+
+/// Asks rays of all kinds.
+pub(super) fn hold_out(
+    session: &mut Session<'_>,
+    rule: &Rule,
+    terms: &Terms<'_>,
+) -> Result<HoldOut, Silence> {
+    let mut random = Random::new(97);
+    let mut out = HoldOut::default();
+    for make in MAKES {
+        let has_gaps = matches!(make.what, What::Gaps | What::EmptyEnd);
+        if (has_gaps && terms.no_vacuum)
+            || (make.what == What::Negative && !terms.negative)
+            || (terms.lean && make.segments[0] > 1_000)
+        {
+            continue;
+        }
+        let rays = if terms.lean { 1 } else { make.rays };
+        for (partial, rays) in [(false, rays.div_ceil(2)), (true, rays.div_ceil(2))] {
+            if partial && session.divides {
+                continue;
+            }
+            let mut kind = Kind {
+                name: format!(
+                    "{}{}",
+                    make.name,
+                    if partial { ", shorter last step" } else { "" }
+                ),
+                rays: 0,
+                agree: 0,
+                unanswered: 0,
+                digits: 17.0,
+            };
+            for _ in 0..rays {
+                let ray = ray(session, &mut random, make, partial, terms);
+                kind.rays += 1;
+                match session.ask_any(&ray) {
+                    Ok(got) => judge(rule, terms, &ray, &got, &mut kind, &mut out.misses),
+                    Err(Silence::Budget(spent)) => return Err(Silence::Budget(spent)),
+                    Err(_) => kind.unanswered += 1,
+                }
+            }
+            out.kinds.push(kind);
+        }
+    }
+    Ok(out)
+}
+
+fn ray(
+    session: &mut Session<'_>,
+    random: &mut Random,
+    make: Make,
+    partial: bool,
+    terms: &Terms<'_>,
+) -> Ray {
+    let [fewest, most] = make.segments;
+    let n = random
+        .integer(fewest, most)
+        .next_multiple_of(session.multiple);
+    let [low, high] = make.depth;
+    let depth = random.geometric(low, high) * terms.typical;
+    let [short, long] = make.step;
+    let step = random.geometric(short, long);
+    let last = if partial {
+        random.within(0.2, 0.9)
+    } else {
+        1.0
+    };
+    let mut taus = |count: usize| -> Vec<f64> {
+        let scale = depth / (n as f64 * step);
+        let one = |random: &mut Random| {
+            let tau = random.uneven() * scale;
+            if make.what == What::Gaps && random.part() < 0.4 {
+                0.0
+            } else {
+                tau
+            }
+        };
+        (0..count).map(|_| one(random)).collect()
+    };
+    let (mut edges, mut middles) = (taus(n + 1), taus(n));
+    match make.what {
+        What::EmptyEnd => {
+            // Every node of the segment at this end.
+            (edges[n], edges[n - 1], middles[n - 1]) = (0.0, 0.0, 0.0);
+            if partial {
+                (edges[0], middles[0]) = (0.0, 0.0);
+            }
+        }
+        What::Opaque => {
+            let at = n / 3;
+            let opaque = 36.0 * terms.typical / step;
+            (edges[at], edges[at + 1], middles[at]) = (opaque, opaque, opaque);
+        }
+        What::Full | What::Gaps | What::Negative => {}
+    }
+    let bright = make.bright * if partial { 1.0 } else { 4.0 };
+    let low = if make.what == What::Negative {
+        -bright
+    } else {
+        0.0
+    };
+    let emission: Vec<Emission> = (0..3)
+        .map(|_| Emission::of(n, |_| random.within(low, bright)))
+        .collect();
+    let layers = Layers {
+        step,
+        last,
+        edges,
+        middles,
+    };
+    session.ray(&layers, &emission)
+}
+
+/// Compares the answers to a ray with the rule's.
+fn judge(
+    rule: &Rule,
+    terms: &Terms<'_>,
+    ray: &Ray,
+    got: &[f64],
+    kind: &mut Kind,
+    misses: &mut Vec<Miss>,
+) {
+    let mut agrees = true;
+    for (channel, compared) in compare(rule, terms.answers, &ray.segments, ray.step, got)
+        .into_iter()
+        .enumerate()
+    {
+        kind.digits = kind.digits.min(compared.digits);
+        if !compared.agrees {
+            agrees = false;
+            misses.push(Miss {
+                ray: ray.clone(),
+                channel,
+                got: compared.got,
+                want: compared.want,
+            });
+        }
+    }
+    kind.agree += usize::from(agrees);
+}
+
+/// An answer beside the rule's.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(super) struct Compared {
+    pub(super) got: f64,
+    pub(super) want: f64,
+    /// Whether they differ by no more than rounding.
+    pub(super) agrees: bool,
+    pub(super) digits: f64,
+}
+
+/// Answers, in the order of the channels, beside the rule's.
+pub(super) fn compare(
+    rule: &Rule,
+    answers: &Answers,
+    segments: &Segments,
+    step: f64,
+    got: &[f64],
+) -> Vec<Compared> {
+    let format = Native::<f64>::new();
+    let composed = rule.composed(segments, step, format);
+    let n = segments.count() as f64;
+    let cancels = rule.cancels(segments);
+    let of_channel = |(channel, &got): (usize, &f64)| {
+        let x = rule.radiance(&composed, segments, channel, format);
+        let values = |of: &[Vec<f64>]| {
+            let own = of.get(channel).into_iter().flatten();
+            own.map(|c| c.abs()).fold(0.0, f64::max)
+        };
+        let bright = values(&segments.edges.emission).max(values(&segments.middles.emission));
+        // Every segment rounds a few times, its opacity by a unit of 1.
+        let size = x.abs() + composed.factor.abs() * bright * rule.largest_scale();
+        let slack = answers.unit * (16.0 + 4.0 * n) * size + answers.noise * size;
+        let slack = slack + answers.unit * 8.0 * bright * cancels;
+        let slack = if rule.whole == Whole::ByOpacity {
+            // 1 − T is known to a unit of 1.
+            slack + answers.unit * 16.0 * x.abs() * composed.factor.abs()
+        } else {
+            slack
+        };
+        let exact = super::rule::Output {
+            quantum: None,
+            ..rule.output
+        };
+        let (low, high) = (exact.of(x - slack), exact.of(x + slack));
+        let want = rule.output.of(x);
+        let quantum = rule.output.quantum.unwrap_or(0.0) * 1.01;
+        let rounding = quantum + 4.0 * answers.unit * want.abs();
+        let agrees =
+            (got >= low - rounding && got <= high + rounding) || (got.is_nan() && want.is_nan());
+        let miss = (got - want).abs() / want.abs().max(got.abs()).max(1e-300);
+        Compared {
+            got,
+            want,
+            agrees,
+            digits: if miss > 0.0 {
+                (-miss.log10()).clamp(0.0, 17.0)
+            } else {
+                17.0
+            },
+        }
+    };
+    got.iter().enumerate().map(of_channel).collect()
+}

@@ -1,0 +1,191 @@
+//! What an extinction acts on: which weights change when one is raised.
+
+use super::NotIdentified;
+use super::places::{Even, SEGMENTS, STEP, Samples};
+use super::random::Random;
+use super::ray::Layers;
+use super::rule::{Place, Whole};
+use super::session::Session;
+use super::weights::{Answers, Measured, nodes_of, weights};
+
+/// What was found.
+#[derive(Clone, Debug)]
+pub(super) enum Influence {
+    /// Nothing but the samples' own extinctions acts, on what lies behind.
+    Own {
+        /// What the whole ray is multiplied by.
+        whole: Whole,
+    },
+    /// Extinctions at other nodes act too.
+    Several,
+}
+
+/// By how much one extinction is raised.
+const RAISED: f64 = 3.25;
+
+/// τ of samples at `place`, and of the `others`.
+pub(super) fn layers_at(place: Place, step: f64, taus: &[f64], others: &[f64]) -> Layers {
+    let with_end = |values: &[f64]| {
+        let mut values = values.to_vec();
+        values.extend(values.last().copied());
+        values
+    };
+    let (edges, middles) = match place {
+        Place::Middle => (with_end(others), taus.to_vec()),
+        Place::Front => (with_end(taus), others.to_vec()),
+        Place::Back => {
+            let mut edges = vec![taus.first().copied().unwrap_or(0.0)];
+            edges.extend_from_slice(taus);
+            (edges, others.to_vec())
+        }
+    };
+    Layers {
+        step,
+        last: 1.0,
+        edges,
+        middles,
+    }
+}
+
+/// Other extinctions at random; one raised.
+pub(super) fn influence(
+    session: &mut Session<'_>,
+    answers: &Answers,
+    even: &Even,
+    samples: &Samples,
+) -> Result<Influence, NotIdentified> {
+    let n = SEGMENTS.next_multiple_of(session.multiple);
+    let place = samples.place;
+    let extra = samples.sequence.extra.is_some();
+    let nodes = nodes_of(place, n, extra);
+    let taus = vec![even.extinction; n];
+    let mut random = Random::new(23);
+    let others = random.many(n, 0.25 * even.extinction, 5.0 * even.extinction);
+    let base = weights(
+        session,
+        answers,
+        &layers_at(place, STEP, &taus, &taus),
+        &nodes,
+        &[],
+    )?
+    .of;
+    let mixed = weights(
+        session,
+        answers,
+        &layers_at(place, STEP, &taus, &others),
+        &nodes,
+        &[],
+    )?
+    .of;
+    let top = base.iter().map(|w| w.value.abs()).fold(0.0, f64::max);
+    let lit = |k: usize| base[k].value.abs() > 1e-9 * top + 8.0 * base[k].error;
+    let live: Vec<usize> = (0..nodes.len()).filter(|k| lit(*k)).collect();
+    let ratio = |of: &[Measured], k: usize| Measured {
+        value: of[k].value / base[k].value,
+        error: (of[k].error + base[k].error * (of[k].value / base[k].value).abs())
+            / base[k].value.abs(),
+    };
+    let slack = 8.0 * answers.relative(n);
+    let same = |u: Measured, value: f64| {
+        (u.value - value).abs() <= 3.0 * u.error + slack * value.abs().max(1.0)
+    };
+    if !live.iter().all(|k| same(ratio(&mixed, *k), 1.0)) {
+        return Ok(Influence::Several);
+    }
+    // The sample in the middle of those that are taken.
+    let back = place == Place::Back;
+    let order = samples.sequence.order(n, false, back);
+    let offset = isize::from(back && extra);
+    let position = |k: usize| {
+        let index = isize::try_from(k).unwrap_or(0) - offset;
+        order.iter().position(|i| *i == index)
+    };
+    let j = 5.min(n - 1);
+    let mut raised = taus.clone();
+    raised[j] *= RAISED;
+    let layers = layers_at(place, STEP, &raised, &raised);
+    let found = weights(session, answers, &layers, &nodes, &[])?.of;
+    let late = usize::from(samples.sequence.late);
+    let own = j + usize::from(back && extra);
+    let Some(at) = position(own) else {
+        return Err(NotIdentified::new("the raised sample is not taken"));
+    };
+    let rows: Vec<Vec<f64>> = live
+        .iter()
+        .map(|k| {
+            let r = ratio(&found, *k);
+            vec![*k as f64, r.value, r.error]
+        })
+        .collect();
+    let failed = |reason: &str| {
+        Err(NotIdentified::new(reason).with_rows(
+            &["sample", "weight by that of the even medium", "error"],
+            rows.clone(),
+        ))
+    };
+    let (mut before, mut behind) = (Vec::new(), Vec::new());
+    let last = live.iter().filter_map(|k| position(*k)).max();
+    for &k in &live {
+        match position(k) {
+            Some(p) if p < at => before.push(ratio(&found, k)),
+            Some(p) if p > at && p <= at + late => before.push(ratio(&found, k)),
+            // A wall's weight is another law's.
+            Some(p) if p > at + late && !(samples.wall && Some(p) == last) => {
+                behind.push(ratio(&found, k));
+            }
+            _ => {}
+        }
+    }
+    let (Some(factor), Some(through)) = (before.first().copied(), behind.first().copied()) else {
+        return failed("too few samples have weight");
+    };
+    let agree = |all: &[Measured], value: f64| {
+        all.iter()
+            .all(|r| (r.value - value).abs() <= 3.0 * r.error + slack * value.abs().max(1.0))
+    };
+    if !agree(&before, factor.value) || !agree(&behind, through.value) {
+        return failed(
+            "a segment's extinction does not act as one factor on all that lies behind it and on nothing else",
+        );
+    }
+    if (factor.value - 1.0).abs() <= 3.0 * factor.error + slack {
+        return Ok(Influence::Own { whole: Whole::One });
+    }
+    // All weights change by a common factor: the ray's opacity divides or multiplies them. That of the even ray and
+    // of the raised one follow from what a segment lets through.
+    let inner: Vec<usize> = live
+        .iter()
+        .copied()
+        .filter(|k| position(*k).is_some_and(|p| p > 0 && p + 1 < order.len()))
+        .collect();
+    let (Some(&near), Some(&far)) = (inner.first(), inner.last()) else {
+        return failed("too few samples have weight");
+    };
+    let steps = position(far)
+        .unwrap_or(0)
+        .abs_diff(position(near).unwrap_or(0));
+    let (near, far) = if position(far) > position(near) {
+        (near, far)
+    } else {
+        (far, near)
+    };
+    let even_pass = (base[far].value / base[near].value).powf(1.0 / steps.max(1) as f64);
+    let raised_pass = through.value / factor.value * even_pass;
+    let count = i32::try_from(order.len()).unwrap_or(0);
+    let whole = 1.0 - even_pass.powi(count);
+    let other = 1.0 - even_pass.powi(count - 1) * raised_pass;
+    let allowed = 8.0 * (factor.error + slack);
+    let kinds = [
+        (Whole::ByOpacity, whole / other),
+        (Whole::TimesOpacity, other / whole),
+    ];
+    let found = kinds
+        .iter()
+        .find(|(_, want)| (factor.value / want - 1.0).abs() <= allowed);
+    match found {
+        Some((whole, _)) => Ok(Influence::Own { whole: *whole }),
+        None => failed(
+            "all weights change by a common factor, which is neither division nor multiplication by the ray's opacity",
+        ),
+    }
+}

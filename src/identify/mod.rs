@@ -1,0 +1,297 @@
+//! What a kernel computes, read off by probes.
+//!
+//! A kernel is asked rays that are made to tell: emission in one node alone shows the node's weight, an extinction
+//! raised shows what it acts on, segments between references show what they add and let through. Each stage reads a
+//! part of the [`Rule`] off, or says that it could not and what it measured; a rule is named where it predicts the
+//! answers to rays that it was not found with.
+
+mod channels;
+mod ends;
+mod finding;
+mod holdout;
+mod influence;
+mod number;
+mod opacity;
+mod output;
+mod places;
+mod random;
+mod ray;
+pub mod rule;
+mod segment;
+mod session;
+mod state;
+mod weights;
+
+pub use finding::NotIdentified;
+pub use holdout::{HoldOut, Kind, Miss};
+pub use ray::Ray;
+pub use rule::Rule;
+pub use session::{Budget, Silence, Spent};
+pub use state::{Batch, Repeat, State};
+
+use crate::kernel::Kernel;
+use ends::{Lone, Vacuum};
+use influence::Influence;
+use opacity::measure::Measurer;
+use places::{Places, Samples};
+use rule::{Law, Place, Range, Scheme, Sequence, Wall, Whole};
+use session::Session;
+use weights::Answers;
+
+/// What was found out about a kernel.
+#[derive(Clone, Debug, Default)]
+pub struct Identification {
+    /// What answers depend on beside the question; `None` where that could not be seen.
+    pub state: Option<State>,
+    /// Parts that hold by themselves.
+    pub parts: Parts,
+    /// The whole rule.
+    pub rule: Option<Rule>,
+    /// Between what its parameters lie.
+    pub brackets: Vec<Bracket>,
+    /// The rule against rays that it was not found with.
+    pub hold_out: HoldOut,
+    /// What could not be read off.
+    pub not_identified: Vec<NotIdentified>,
+    /// What it cost.
+    pub spent: Spent,
+}
+
+impl Identification {
+    /// The rule, where it holds on rays of every kind.
+    #[must_use]
+    pub fn named(&self) -> Option<&Rule> {
+        self.rule.as_ref().filter(|_| self.hold_out.is_whole())
+    }
+}
+
+/// What was seen of a kernel whether or not the whole rule was.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Parts {
+    /// From radiance to answer.
+    pub output: Option<rule::Output>,
+    /// Whose answer stands where.
+    pub channels: Option<rule::Channels>,
+    /// 2^(−p) of the narrowest format that holds all answers.
+    pub unit: Option<f64>,
+    /// By what answers to the same question differ.
+    pub noise: f64,
+    /// Where one sample a segment lies.
+    pub place: Option<Place>,
+    /// Rays, or segments, that hold nothing have no finite answer.
+    pub vacuum_fails: Option<VacuumFails>,
+}
+
+/// Where nothing absorbs there is no answer.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum VacuumFails {
+    /// To a ray that holds nothing.
+    Ray,
+    /// To a ray with an empty segment.
+    Segment,
+}
+
+/// A parameter, and between what it lies.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Bracket {
+    /// Which.
+    pub parameter: Parameter,
+    /// At least.
+    pub low: f64,
+    /// At most.
+    pub high: f64,
+}
+
+/// A parameter of a rule.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum Parameter {
+    /// κ.
+    Factor,
+    /// The weights' scale.
+    Scale,
+    /// The early end's threshold.
+    Stop,
+    /// What is added to what is let through.
+    Eps,
+    /// The emission behind the ray.
+    Background,
+    /// What is added.
+    Offset,
+    /// The wall's length.
+    Wall,
+}
+
+/// Reads off what a kernel computes; `heard` hears of every ray.
+pub fn identify(
+    kernel: &mut dyn Kernel,
+    budget: Budget,
+    heard: &mut dyn FnMut(&Spent),
+) -> Identification {
+    let mut found = Identification::default();
+    let mut session = Session::new(kernel, budget, heard);
+    if let Err(reason) = run(&mut session, &mut found) {
+        found.not_identified.push(reason);
+    }
+    found.spent = session.spent;
+    found
+}
+
+/// What stages of one sample a segment have found.
+struct Sampled {
+    rule: Rule,
+    typical: f64,
+    vacuum: Vacuum,
+}
+
+fn run(session: &mut Session<'_>, found: &mut Identification) -> Result<(), NotIdentified> {
+    let lean = false;
+    let (state, noise) = state::state(session)?;
+    found.parts.noise = noise;
+    found.state = Some(state.clone());
+    let channels = channels::channels(session, &state, noise)?;
+    session.channels = channels;
+    found.parts.channels = Some(channels);
+    let mapped = output::output(session, &state, noise)?;
+    let answers = mapped.answers.clone();
+    found.parts.output = Some(answers.output);
+    found.parts.unit = Some(answers.unit);
+    found.parts.noise = answers.noise;
+    if state.seed {
+        return Err(NotIdentified::new("answers depend on the seed"));
+    }
+    let even = places::even(session, &answers, false)?;
+    let base = Rule {
+        emission_max: mapped.emission_max,
+        emission_min: mapped.emission_min,
+        output: answers.output,
+        channels,
+        ..Rule::default()
+    };
+    let sampled = match places::places(session, &answers, &even)? {
+        Places::Several => several(session, &answers, base)?,
+        Places::Samples(samples) => {
+            found.parts.place = Some(samples.place);
+            match influence::influence(session, &answers, &even, &samples)? {
+                Influence::Several => several(session, &answers, base)?,
+                Influence::Own { whole } => {
+                    let measurer = Measurer {
+                        answers: &answers,
+                        samples: &samples,
+                        whole,
+                    };
+                    one_sample(session, &measurer, base, found, lean)?
+                }
+            }
+        }
+    };
+    let fails = sampled.vacuum;
+    found.parts.vacuum_fails = match (fails.part_fails, fails.whole_fails) {
+        (true, _) => Some(VacuumFails::Segment),
+        (false, true) => Some(VacuumFails::Ray),
+        (false, false) => None,
+    };
+    let terms = holdout::Terms {
+        answers: &answers,
+        typical: sampled.typical,
+        no_vacuum: fails.part_fails,
+        negative: mapped.takes_negative,
+        lean,
+    };
+    found.hold_out = holdout::hold_out(session, &sampled.rule, &terms)?;
+    found.rule = Some(sampled.rule);
+    Ok(())
+}
+
+/// The rule of segments with several values.
+fn several(
+    session: &mut Session<'_>,
+    answers: &Answers,
+    base: Rule,
+) -> Result<Sampled, NotIdentified> {
+    let mut rule = Rule {
+        scheme: segment::segments(session, answers)?,
+        ..base
+    };
+    let behind = ends::behind(session, answers, 1.0 / 8.0, &rule)?;
+    (rule.background, rule.offset) = (behind.background, behind.offset);
+    Ok(Sampled {
+        rule,
+        typical: 1.0,
+        vacuum: Vacuum::default(),
+    })
+}
+
+/// The rule of one sample a segment.
+fn one_sample(
+    session: &mut Session<'_>,
+    measurer: &Measurer<'_>,
+    base: Rule,
+    found: &mut Identification,
+    lean: bool,
+) -> Result<Sampled, NotIdentified> {
+    let samples: &Samples = measurer.samples;
+    let measured = opacity::measure(session, measurer, lean)?;
+    let reference = measured.reference(0.25).map_or(0.125, |r| r.extinction);
+    let vacuum = ends::vacuum(session, measurer, reference)?;
+    let fitted = opacity::law(session, measurer, &measured, vacuum.eps)?;
+    let law: Law = fitted.law;
+    let brackets = &mut found.brackets;
+    let mut keep = |parameter, (low, high): (f64, f64)| {
+        brackets.push(Bracket {
+            parameter,
+            low,
+            high,
+        });
+    };
+    keep(Parameter::Factor, fitted.factor);
+    keep(Parameter::Scale, fitted.scale);
+    if vacuum.eps != 0.0 {
+        keep(Parameter::Eps, vacuum.bracket);
+    }
+    let lone = Lone {
+        measurer,
+        law: &law,
+        measured: &measured,
+    };
+    let mut rule = Rule {
+        scheme: Scheme::Sample {
+            place: samples.place,
+            law: law.clone(),
+        },
+        sequence: samples.sequence,
+        whole: measurer.whole,
+        ..base
+    };
+    if samples.wall {
+        let (wall, bracket) = ends::wall(session, &lone)?;
+        rule.wall = Some(wall);
+        if matches!(wall, Wall::Length(_)) {
+            keep(Parameter::Wall, bracket);
+        }
+    }
+    if let Some(early) = ends::early_end(session, &lone)? {
+        keep(Parameter::Stop, early.bracket);
+        rule.stop = Some(early.stop);
+    }
+    rule.sequence = ends::counts(session, &lone, &rule, lean)?;
+    let behind = ends::behind(session, measurer.answers, reference, &rule)?;
+    (rule.background, rule.offset) = (behind.background, behind.offset);
+    if behind.background != 0.0 {
+        keep(Parameter::Background, behind.of_background);
+    }
+    if behind.offset != 0.0 {
+        keep(Parameter::Offset, behind.of_offset);
+    }
+    match ends::last_step(session, measurer.answers, &rule, 6.0 * reference)? {
+        Some(with_last) => rule = with_last,
+        None => found.not_identified.push(NotIdentified::new(
+            "a shorter last segment counts in no known way",
+        )),
+    }
+    let typical = measured.reference(1.0).map_or(1.0, |r| 32.0 * r.extinction);
+    Ok(Sampled {
+        rule,
+        typical,
+        vacuum,
+    })
+}

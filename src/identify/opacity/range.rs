@@ -1,0 +1,366 @@
+//! Where a law ends: the points that leave it, by kind, and the border by bisection.
+
+use super::Measurements;
+use super::fit::{Fitted, has};
+use super::measure::{Measurer, Point};
+use crate::identify::NotIdentified;
+use crate::identify::number::simplest;
+use crate::identify::rule::{Formula, Law, Series, Shape};
+use crate::identify::session::Session;
+
+/// Lengths at which borders are looked for: both must say the same.
+const LENGTHS: [f64; 2] = [1.0, 0.25];
+/// Bisections end at this part.
+const FINE: f64 = 1e-8;
+/// Extinctions of one ray of a bisection.
+const AT_ONCE: usize = 18;
+
+/// The law with what explains the points that leave it.
+pub(super) fn with_range(
+    session: &mut Session<'_>,
+    measurer: &Measurer<'_>,
+    measured: &Measurements,
+    fitted: Fitted,
+) -> Result<Fitted, NotIdentified> {
+    let mut found = fitted;
+    let mut search = Search {
+        session,
+        measurer,
+        measured,
+    };
+    for explain in [
+        Search::skipped,
+        Search::uncorrected,
+        Search::saturated,
+        Search::clamped,
+        Search::series,
+    ] {
+        if search.wrong(&found.law).is_empty() {
+            break;
+        }
+        if let Some(law) = explain(&mut search, &found.law)? {
+            found.law = law;
+        }
+    }
+    if search.wrong(&found.law).is_empty() {
+        found.share = 1.0;
+        return Ok(found);
+    }
+    let rows = search.wrong(&found.law);
+    let rows = rows.iter().map(|p| {
+        let (weight, passes) = found.law.of(&p.extinction, &p.length, &p.ray);
+        vec![
+            p.extinction,
+            p.length,
+            p.weight.value,
+            weight,
+            p.passes.value,
+            passes,
+        ]
+    });
+    Err(
+        NotIdentified::new("a law for most segments, but not for all of them").with_rows(
+            &[
+                "extinction",
+                "length",
+                "weight",
+                "by the law",
+                "let through",
+                "by the law",
+            ],
+            rows.take(12).collect(),
+        ),
+    )
+}
+
+struct Search<'s, 'k, 'm> {
+    session: &'s mut Session<'k>,
+    measurer: &'m Measurer<'m>,
+    measured: &'m Measurements,
+}
+
+/// Two numbers between which a border lies.
+type Bracket = (f64, f64);
+
+fn overlap(one: Bracket, other: Bracket) -> Option<Bracket> {
+    let low = one.0.max(other.0);
+    let high = one.1.min(other.1);
+    (low <= high * (1.0 + 1e-6)).then_some((low.min(high), high.max(low)))
+}
+
+impl Search<'_, '_, '_> {
+    /// The points that do not have the law.
+    fn wrong(&self, law: &Law) -> Vec<Point> {
+        let answers = self.measurer.answers;
+        let all = self.measured.points.iter();
+        all.filter(|p| !has(law, p, answers)).copied().collect()
+    }
+
+    /// The border between `low` and `high` where `holds` becomes true.
+    fn border(
+        &mut self,
+        length: f64,
+        low: f64,
+        high: f64,
+        holds: &dyn Fn(&Point) -> bool,
+    ) -> Result<Option<Bracket>, NotIdentified> {
+        let Some(reference) = self.measured.reference(length).copied() else {
+            return Ok(None);
+        };
+        let (mut low, mut high) = (low, high);
+        for _ in 0..12 {
+            if high / low - 1.0 <= FINE {
+                break;
+            }
+            // Thick ones would hide what is behind: ask few at once.
+            let is_thick =
+                high * length > 12.0 * reference.extinction * length && high * length > 0.4;
+            let at_once = if is_thick { 3 } else { AT_ONCE };
+            let parts = (at_once + 1) as f64;
+            let taus: Vec<f64> = (1..=at_once)
+                .map(|k| low * (high / low).powf(k as f64 / parts))
+                .collect();
+            let mut held = Vec::new();
+            if is_thick {
+                for tau in &taus {
+                    let points = self.measurer.points(self.session, &reference, &[*tau])?;
+                    held.push(points.first().is_some_and(holds));
+                }
+            } else {
+                let points = self.measurer.points(self.session, &reference, &taus)?;
+                held.extend(points.iter().take(taus.len()).map(holds));
+            }
+            let first = held.iter().position(|held| *held);
+            // Above the border all must hold: else there is no border.
+            if first.is_some_and(|first| held[first..].iter().any(|held| !held)) {
+                return Ok(None);
+            }
+            match first {
+                Some(0) => high = taus[0],
+                Some(k) => (low, high) = (taus[k - 1], taus[k]),
+                None => low = taus[at_once - 1],
+            }
+        }
+        Ok(Some((low, high)))
+    }
+
+    /// Small opacities that count for nothing.
+    fn skipped(&mut self, law: &Law) -> Result<Option<Law>, NotIdentified> {
+        let nothing = |p: &Point| {
+            p.weight.value.abs() <= 3.0 * p.weight.error
+                && (p.passes.value - 1.0).abs() <= 3.0 * p.passes.error
+        };
+        let skipped: Vec<Point> = self.wrong(law).into_iter().filter(|p| nothing(p)).collect();
+        let mut brackets = Vec::new();
+        for length in LENGTHS {
+            let here = |p: &&Point| (p.length - length).abs() < 1e-12;
+            let Some(low) = largest(skipped.iter().filter(here)) else {
+                continue;
+            };
+            let all = self.measured.points.iter().filter(here);
+            let over = all.filter(|p| !nothing(p) && p.extinction > low);
+            let Some(high) = smallest(over) else { continue };
+            let border = self.border(length, low, high, &|p| !nothing(p))?;
+            brackets.extend(border.map(|border| (length, border)));
+        }
+        let [(one, first), (other, second)] = brackets.as_slice() else {
+            return Ok(None);
+        };
+        let opacity = |length: f64, (low, high): Bracket| {
+            let of = |tau: f64| law.shape.of(&law.depth.of(&tau, &length, &f64::NAN)).0;
+            (of(low), of(high))
+        };
+        let mut law = law.clone();
+        if let Some(both) = overlap(opacity(*one, *first), opacity(*other, *second)) {
+            law.range.skip = Some(border_of(both));
+        } else if let Some(both) = overlap(*first, *second) {
+            law.range.skip_extinction = Some(border_of(both));
+        } else {
+            return Ok(None);
+        }
+        Ok(Some(law))
+    }
+
+    /// Small opacities that are not corrected for the step.
+    fn uncorrected(&mut self, law: &Law) -> Result<Option<Law>, NotIdentified> {
+        let wrong = self.wrong(law);
+        let of = |p: &Point| {
+            Shape::Exponential.depth(1.0 - p.passes.value, p.passes.value) / p.extinction
+        };
+        let usable = |p: &&Point| {
+            p.passes.value.is_finite() && (1.0 - p.passes.value).abs() > 100.0 * p.passes.error
+        };
+        let mut lengths: Vec<f64> = wrong.iter().filter(usable).map(of).collect();
+        lengths.sort_by(f64::total_cmp);
+        let Some(&middle) = lengths.get(lengths.len() / 2) else {
+            return Ok(None);
+        };
+        let length = simplest(middle * (1.0 - 1e-3), middle * (1.0 + 1e-3));
+        let is_bare = |p: &Point| {
+            let bare = Law {
+                depth: crate::identify::rule::Depth {
+                    factor: length,
+                    length: crate::identify::rule::Power::ZERO,
+                    ..law.depth
+                },
+                ..law.clone()
+            };
+            has(&bare, p, self.measurer.answers)
+        };
+        if lengths.len() < 3 || !wrong.iter().filter(usable).all(&is_bare) {
+            return Ok(None);
+        }
+        let mut brackets = Vec::new();
+        for step in [0.25, 0.0625] {
+            let here = |p: &&Point| (p.length - step).abs() < 1e-12;
+            let Some(low) = largest(wrong.iter().filter(usable).filter(here)) else {
+                continue;
+            };
+            let all = self.measured.points.iter().filter(here);
+            let answers = self.measurer.answers;
+            let over = all.filter(|p| has(law, p, answers) && p.extinction > low);
+            let Some(high) = smallest(over) else { continue };
+            let law = law.clone();
+            let border = self.border(step, low, high, &|p| has(&law, p, answers))?;
+            let unit = |tau: f64| -(-tau * length).exp_m1();
+            brackets.extend(border.map(|(low, high)| (unit(low), unit(high))));
+        }
+        let [first, second] = brackets.as_slice() else {
+            return Ok(None);
+        };
+        let Some(both) = overlap(*first, *second) else {
+            return Ok(None);
+        };
+        let mut law = law.clone();
+        law.range.uncorrected_under = Some(border_of(both));
+        law.range.uncorrected_length = length;
+        Ok(Some(law))
+    }
+
+    /// Thick segments that all have one opacity, or one extinction.
+    fn clamped(&mut self, law: &Law) -> Result<Option<Law>, NotIdentified> {
+        let wrong = self.wrong(law);
+        let deep = |p: &&Point| p.weight.value.is_finite() && p.extinction * p.length > 0.0;
+        let top: Vec<&Point> = wrong.iter().filter(deep).collect();
+        if top.len() < 2 {
+            return Ok(None);
+        }
+        let answers = self.measurer.answers;
+        let mut best: Option<Law> = None;
+        let opacities = top
+            .iter()
+            .map(|p| (p.weight.value / law.scale.0, p.weight.error));
+        let opacities: Vec<(f64, f64)> = opacities.collect();
+        let (least, most) = opacities
+            .iter()
+            .fold((f64::INFINITY, f64::NEG_INFINITY), |(l, h), o| {
+                (l.min(o.0), h.max(o.0))
+            });
+        let error = opacities.iter().map(|o| o.1).fold(f64::INFINITY, f64::min);
+        let slack = 3.0 * error + 64.0 * answers.unit + answers.noise;
+        let level = f64::midpoint(least, most);
+        if most - least <= 4.0 * slack + 1e-15 {
+            let mut clamped = law.clone();
+            clamped.range.opacity_max = Some(simplest(level - slack, level + slack));
+            best = Some(clamped);
+            // The same with the depth's own words where that is simpler.
+            let depth = law.shape.depth(level, 1.0 - level);
+            let steep = slack / (1.0 - level).abs().max(1e-12);
+            let short = simplest(depth - steep, depth + steep);
+            if digits(short) + 2 < digits(simplest(level - slack, level + slack)) {
+                let mut clamped = law.clone();
+                clamped.range.depth_max = Some(short);
+                best = Some(clamped);
+            }
+        }
+        if let Some(found) = best
+            && self.wrong(&found).len() < wrong.len()
+        {
+            return Ok(Some(found));
+        }
+        // By extinction: what is let through grows with the length alone.
+        let depths = top.iter().filter(|p| p.passes.value > 0.0).map(|p| {
+            let x = law.shape.depth(1.0 - p.passes.value, p.passes.value);
+            x / law.depth.of(&1.0, &p.length, &p.ray)
+        });
+        let mut depths: Vec<f64> = depths.filter(|x| x.is_finite()).collect();
+        depths.sort_by(f64::total_cmp);
+        if let Some(&middle) = depths.get(depths.len() / 2) {
+            let mut clamped = law.clone();
+            clamped.range.extinction_max =
+                Some(simplest(middle * (1.0 - 1e-9), middle * (1.0 + 1e-9)));
+            if self.wrong(&clamped).len() + 1 < wrong.len() {
+                return Ok(Some(clamped));
+            }
+        }
+        Ok(None)
+    }
+
+    /// 1 − (1 − α₁)^d, which ends where 1 − α₁ is all rounding.
+    fn saturated(&mut self, law: &Law) -> Result<Option<Law>, NotIdentified> {
+        let wrong = self.wrong(law);
+        if law.shape != Shape::Exponential || !wrong.iter().all(|p| p.extinction > 4.0) {
+            return Ok(None);
+        }
+        let mut power = law.clone();
+        power.formula = Formula::Power;
+        Ok((self.wrong(&power).len() < wrong.len()).then_some(power))
+    }
+
+    /// Another formula below a depth.
+    fn series(&mut self, law: &Law) -> Result<Option<Law>, NotIdentified> {
+        let wrong = self.wrong(law);
+        let x = |p: &Point| law.depth.of(&p.extinction, &p.length, &p.ray);
+        let answers = self.measurer.answers;
+        let Some(deepest) = wrong
+            .iter()
+            .map(x)
+            .fold(None, |m: Option<f64>, x| Some(m.map_or(x, |m| m.max(x))))
+        else {
+            return Ok(None);
+        };
+        let all = self.measured.points.iter();
+        let over = all.filter(|p| has(law, p, answers) && x(p) > deepest);
+        let Some(next) = over.map(x).min_by(f64::total_cmp) else {
+            return Ok(None);
+        };
+        if law.shape != Shape::Exponential || deepest > 1.0 {
+            return Ok(None);
+        }
+        let length = 0.25;
+        let per = law.depth.of(&1.0, &length, &f64::NAN);
+        let law_there = law.clone();
+        let Some((low, high)) = self.border(length, deepest / per, next / per, &|p| {
+            has(&law_there, p, answers)
+        })?
+        else {
+            return Ok(None);
+        };
+        let below = border_of((low * per, high * per));
+        for terms in 1..=8 {
+            let mut series = law.clone();
+            series.range.series = Some(Series { below, terms });
+            if self.wrong(&series).is_empty() {
+                return Ok(Some(series));
+            }
+        }
+        Ok(None)
+    }
+}
+
+fn digits(x: f64) -> usize {
+    format!("{x:e}").len()
+}
+
+fn largest<'p>(points: impl Iterator<Item = &'p Point>) -> Option<f64> {
+    points.map(|p| p.extinction).max_by(f64::total_cmp)
+}
+
+fn smallest<'p>(points: impl Iterator<Item = &'p Point>) -> Option<f64> {
+    points.map(|p| p.extinction).min_by(f64::total_cmp)
+}
+
+/// A border's simplest value.
+fn border_of((low, high): Bracket) -> f64 {
+    simplest(low * (1.0 - 1e-12), high * (1.0 + 1e-12))
+}

@@ -1,0 +1,204 @@
+//! What a segment's weights are made of.
+
+use super::{Law, Node};
+use crate::case::Transfer;
+use crate::diagnosis::LinearSegments;
+use crate::real::{Format, Real};
+use rug::Rational;
+
+/// Where in its segment a sample lies.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
+pub enum Place {
+    /// At the end nearer to the eye.
+    Front,
+    /// In the middle.
+    #[default]
+    Middle,
+    /// At the end farther from the eye.
+    Back,
+}
+
+/// How segments are weighed.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Scheme {
+    /// By one sample each.
+    Sample {
+        /// Where it lies.
+        place: Place,
+        /// What it does.
+        law: Law,
+    },
+    /// By several values each.
+    Segments {
+        /// Part of d·τ in front, in the middle and at the back that make a segment's depth.
+        depth: [Rational; 3],
+        /// What the emissions are multiplied by.
+        weights: Segment,
+        /// And by this.
+        scale: super::Scale,
+    },
+}
+
+impl Default for Scheme {
+    fn default() -> Self {
+        Scheme::Sample {
+            place: Place::Middle,
+            law: Law::default(),
+        }
+    }
+}
+
+/// The weights of a segment with extinctions f, m, b in front, in the middle and at the back, depth x.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub enum Segment {
+    /// (1 − e^(−x)) times parts of the three emissions.
+    Opacity {
+        /// The parts.
+        parts: [Rational; 3],
+    },
+    /// Source linear in optical depth: 1 − e in front and e − e^(−x) at the back, e = (1 − e^(−x))/x.
+    LinearInDepth {
+        /// The two weights have changed places.
+        swapped: bool,
+    },
+    /// C and τ linear along the segment, integrated exactly.
+    Linear,
+    /// d f cf, d m cm e^(−y), d b cb e^(−x), y the depth to the middle: trapezoids and Simpson's rule.
+    Quadrature {
+        /// (cf, cm, cb).
+        parts: [Rational; 3],
+        /// Parts of d·τ that make the depth to the middle.
+        half: [Rational; 3],
+    },
+    /// d f cf, d m cm, d b cb: absorption inside the segment is neglected.
+    Sum {
+        /// (cf, cm, cb).
+        parts: [Rational; 3],
+    },
+    /// Two halves with the extinctions in front and at the back.
+    Halves,
+}
+
+/// The three extinctions of a segment and its length.
+#[derive(Clone, Debug)]
+pub(crate) struct Three<R> {
+    pub(crate) extinction: [R; 3],
+    pub(crate) length: R,
+}
+
+impl<R: Real> Three<R> {
+    /// d (c₀ f + c₁ m + c₂ b).
+    pub(crate) fn depth(&self, parts: &[Rational; 3]) -> R {
+        let format = self.length.format();
+        let mut sum = format.int(0);
+        for (part, extinction) in parts.iter().zip(&self.extinction) {
+            if !part.is_zero() {
+                sum += &(extinction.clone() * &format.ratio(part));
+            }
+        }
+        sum * &self.length
+    }
+}
+
+impl Segment {
+    /// The weights in front, in the middle and at the back of a segment of depth x.
+    pub(crate) fn of<R: Real>(&self, three: &Three<R>, x: &R) -> [R; 3] {
+        let format = x.format();
+        let zero = || format.int(0);
+        let [front, middle, back] = &three.extinction;
+        match self {
+            Segment::Opacity { parts } => {
+                let opacity = -(-x.clone()).exp_m1();
+                parts
+                    .each_ref()
+                    .map(|part| opacity.clone() * &format.ratio(part))
+            }
+            Segment::LinearInDepth { swapped } => {
+                let [near, far] = in_depth(x);
+                if *swapped {
+                    [far, zero(), near]
+                } else {
+                    [near, zero(), far]
+                }
+            }
+            Segment::Linear => {
+                let rule = LinearSegments::new(format);
+                let lit = |near: i64, far: i64| {
+                    let end = |extinction: &R, emission: i64| Transfer {
+                        extinction: extinction.clone(),
+                        emission: format.int(emission),
+                    };
+                    let (near, far) = (end(front, near), end(back, far));
+                    rule.segment(&near, &far, &three.length).0
+                };
+                [lit(1, 0), zero(), lit(0, 1)]
+            }
+            Segment::Quadrature { parts, half } => {
+                let light = |part: &Rational, extinction: &R, depth: R| {
+                    if part.is_zero() {
+                        return zero();
+                    }
+                    (-depth).exp() * extinction * &three.length * &format.ratio(part)
+                };
+                [
+                    light(&parts[0], front, zero()),
+                    light(&parts[1], middle, three.depth(half)),
+                    light(&parts[2], back, x.clone()),
+                ]
+            }
+            Segment::Sum { parts } => {
+                let light = |part: &Rational, extinction: &R| {
+                    extinction.clone() * &three.length * &format.ratio(part)
+                };
+                [
+                    light(&parts[0], front),
+                    light(&parts[1], middle),
+                    light(&parts[2], back),
+                ]
+            }
+            Segment::Halves => {
+                let half = format.fraction(1, 2);
+                let through = |extinction: &R| -(extinction.clone() * &three.length * &half);
+                let near = through(front);
+                let far = -through(back).exp_m1() * &near.clone().exp();
+                [-near.exp_m1(), zero(), far]
+            }
+        }
+    }
+}
+
+/// 1 − e and e − e^(−x), e = (1 − e^(−x))/x, without cancellation where x is small.
+fn in_depth<R: Real>(x: &R) -> [R; 2] {
+    let format = x.format();
+    // Below, the series is as good: its terms fall by x/k.
+    if *x < format.fraction(1, 16) {
+        // 1 − e = Σ_{k≥1} −(−x)^k/(k + 1)!, e − e^(−x) = Σ_{k≥1} −(−x)^k k/(k + 1)!.
+        let (mut near, mut far) = (format.int(0), format.int(0));
+        let mut term = format.int(-1);
+        for k in 1..=i64::from(format.bits()) {
+            term = -(term * x) / &format.int(k + 1);
+            let next = near.clone() + &term;
+            far += &(term.clone() * &format.int(k));
+            if next == near {
+                break;
+            }
+            near = next;
+        }
+        return [near, far];
+    }
+    let passes = (-x.clone()).exp();
+    let mean = -(-x.clone()).exp_m1() / x;
+    [format.int(1) - &mean, mean - &passes]
+}
+
+impl Place {
+    /// The node of the sample of that index.
+    #[must_use]
+    pub fn node(self, index: isize) -> Option<Node> {
+        match self {
+            Place::Front => usize::try_from(index).ok().map(Node::Edge),
+            Place::Middle => usize::try_from(index).ok().map(Node::Middle),
+            Place::Back => usize::try_from(index + 1).ok().map(Node::Edge),
+        }
+    }
+}

@@ -1,0 +1,229 @@
+//! Asking a kernel, and counting what it costs.
+
+use super::ray::{Emission, Layers, Ray};
+use super::rule::Channels;
+use crate::kernel::{Kernel, KernelError, Rendering};
+use std::time::{Duration, Instant};
+
+/// What may be spent.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Budget {
+    /// Rays.
+    pub rays: u64,
+    /// Time.
+    pub time: Duration,
+    /// The most channels of one ray.
+    pub channels: usize,
+}
+
+impl Default for Budget {
+    fn default() -> Self {
+        Budget {
+            rays: 1_000,
+            time: Duration::from_secs(600),
+            channels: 66,
+        }
+    }
+}
+
+/// What was spent.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct Spent {
+    /// Rays.
+    pub rays: u64,
+    /// Segments of all of them.
+    pub segments: u64,
+    /// Segments of the longest.
+    pub longest: u64,
+    /// Rays without an answer.
+    pub unanswered: u64,
+}
+
+/// Why there is no answer to a ray.
+#[derive(Clone, Debug, PartialEq, thiserror::Error)]
+pub enum Silence {
+    /// The budget is spent.
+    #[error("the budget of {0} is spent")]
+    Budget(String),
+    /// The kernel gave none.
+    #[error("no answer to a ray of {segments} segments: {error}")]
+    Kernel {
+        /// Of how many segments.
+        segments: usize,
+        /// Why.
+        error: KernelError,
+    },
+    /// It is not a number.
+    #[error("an answer to a ray of {segments} segments is not finite")]
+    NotFinite {
+        /// Of how many segments.
+        segments: usize,
+    },
+}
+
+/// A conversation with a kernel.
+pub(super) struct Session<'k> {
+    kernel: &'k mut dyn Kernel,
+    budget: Budget,
+    started: Instant,
+    pub(super) spent: Spent,
+    /// Every question is asked twice, and the second answer counts.
+    pub(super) twice: bool,
+    /// Where the answers of channels stand.
+    pub(super) channels: Channels,
+    /// Numbers of segments are multiples of this.
+    pub(super) multiple: usize,
+    /// Steps divide the ray.
+    pub(super) divides: bool,
+    names: u64,
+    heard: &'k mut dyn FnMut(&Spent),
+}
+
+impl<'k> Session<'k> {
+    pub(super) fn new(
+        kernel: &'k mut dyn Kernel,
+        budget: Budget,
+        heard: &'k mut dyn FnMut(&Spent),
+    ) -> Self {
+        let declaration = kernel.declaration();
+        let multiple = usize::try_from(declaration.multiple_of.get()).unwrap_or(usize::MAX);
+        let divides = declaration.step_divides;
+        Session {
+            kernel,
+            budget,
+            started: Instant::now(),
+            spent: Spent::default(),
+            twice: false,
+            channels: Channels::Straight,
+            multiple,
+            divides,
+            names: 0,
+            heard,
+        }
+    }
+
+    /// The most channels of one ray.
+    pub(super) fn most_channels(&self) -> usize {
+        self.budget.channels
+    }
+
+    /// No ray gets more channels than that any more.
+    pub(super) fn limit_channels(&mut self, most: usize) {
+        self.budget.channels = self.budget.channels.min(most.max(1));
+    }
+
+    /// A name that no ray had.
+    pub(super) fn name(&mut self) -> String {
+        self.names += 1;
+        format!("probe-{}", self.names)
+    }
+
+    /// A ray through the medium with those channels.
+    pub(super) fn ray(&mut self, layers: &Layers, emission: &[Emission]) -> Ray {
+        let name = self.name();
+        layers.ray(name, emission)
+    }
+
+    fn count(&mut self, ray: &Ray) -> Result<(), Silence> {
+        if self.spent.rays >= self.budget.rays {
+            return Err(Silence::Budget(format!("{} rays", self.budget.rays)));
+        }
+        if self.started.elapsed() > self.budget.time {
+            let seconds = self.budget.time.as_secs();
+            return Err(Silence::Budget(format!("{seconds} s")));
+        }
+        let segments = ray.segments.count() as u64;
+        self.spent.rays += 1;
+        self.spent.segments += segments;
+        self.spent.longest = self.spent.longest.max(segments);
+        (self.heard)(&self.spent);
+        Ok(())
+    }
+
+    /// One ray as it is: the answers of its channels, where they stand, and the opacity.
+    pub(super) fn once(&mut self, ray: &Ray) -> Result<(Vec<f64>, Option<f64>), Silence> {
+        self.count(ray)?;
+        let answer = self.kernel.render(&ray.task());
+        let answer = self.read(ray, answer)?;
+        Ok(answer)
+    }
+
+    /// Several rays in one request.
+    pub(super) fn together(
+        &mut self,
+        rays: &[Ray],
+    ) -> Vec<Result<(Vec<f64>, Option<f64>), Silence>> {
+        for ray in rays {
+            if let Err(silence) = self.count(ray) {
+                return rays.iter().map(|_| Err(silence.clone())).collect();
+            }
+        }
+        let tasks: Vec<_> = rays.iter().map(Ray::task).collect();
+        let answers = self.kernel.render_all(&tasks);
+        let both = rays.iter().zip(answers);
+        both.map(|(ray, answer)| self.read(ray, answer)).collect()
+    }
+
+    fn read(
+        &mut self,
+        ray: &Ray,
+        answer: Result<Rendering, KernelError>,
+    ) -> Result<(Vec<f64>, Option<f64>), Silence> {
+        let segments = ray.segments.count();
+        let wanted = ray.channels.len();
+        let checked = answer.and_then(|answer| {
+            let got = answer.radiance.len();
+            if got == wanted {
+                Ok(answer)
+            } else {
+                Err(KernelError::Channels { got, wanted })
+            }
+        });
+        match checked {
+            Ok(answer) => Ok((
+                answer.radiance.iter().map(rug::Float::to_f64).collect(),
+                answer.opacity.map(|opacity| opacity.to_f64()),
+            )),
+            Err(error) => {
+                self.spent.unanswered += 1;
+                // What comes next has nothing to do with this one.
+                self.kernel.renew();
+                Err(Silence::Kernel { segments, error })
+            }
+        }
+    }
+
+    /// The finite answers of all channels, in their order, in as many requests as it takes.
+    pub(super) fn ask(&mut self, ray: &Ray) -> Result<Vec<f64>, Silence> {
+        let answers = self.ask_any(ray)?;
+        if answers.iter().all(|y| y.is_finite()) {
+            Ok(answers)
+        } else {
+            let segments = ray.segments.count();
+            Err(Silence::NotFinite { segments })
+        }
+    }
+
+    /// The same, finite or not.
+    pub(super) fn ask_any(&mut self, ray: &Ray) -> Result<Vec<f64>, Silence> {
+        let count = ray.channels.len();
+        let most = self.budget.channels;
+        let mut answers = Vec::with_capacity(count);
+        for start in (0..count).step_by(most) {
+            let end = (start + most).min(count);
+            let part = if count <= most {
+                None
+            } else {
+                Some(ray.part(start..end))
+            };
+            let ray = part.as_ref().unwrap_or(ray);
+            if self.twice {
+                self.once(ray)?;
+            }
+            let (y, _) = self.once(ray)?;
+            let count = end - start;
+            answers.extend((0..count).map(|k| y[self.channels.place(k, count)]));
+        }
+        Ok(answers)
+    }
+}

@@ -1,0 +1,167 @@
+//! Whether an answer depends on nothing but its question.
+
+use super::NotIdentified;
+use super::random::Random;
+use super::ray::{Emission, Layers, Ray};
+use super::session::Session;
+
+/// What answers depend on beside the question.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct State {
+    /// What comes of asking again.
+    pub repeat: Repeat,
+    /// Answers depend on the seed.
+    pub seed: bool,
+    /// An answer depends on the other tasks of its request.
+    pub batch: Batch,
+    /// Another ray of the same name has the first one's answer.
+    pub name: bool,
+}
+
+/// What comes of asking again.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub enum Repeat {
+    /// The same answer.
+    #[default]
+    Same,
+    /// The first answer of all is another one.
+    FirstDiffers,
+    /// The answer to the question before.
+    Previous,
+    /// Another answer, by up to this part.
+    Differs(f64),
+}
+
+/// What comes of asking several rays at once.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
+pub enum Batch {
+    /// The same answers.
+    #[default]
+    Same,
+    /// A ray goes on with the transmittance of the one before.
+    Carried,
+    /// Other answers.
+    Differs,
+}
+
+/// Answers that differ by more than this say nothing.
+const MOST_NOISE: f64 = 1e-3;
+/// Uniform noise is so many times as wide as what few answers show of it.
+const WIDER: f64 = 4.0;
+
+/// A ray of n random segments, its emission times `size`.
+fn some(session: &mut Session<'_>, random: &mut Random, n: usize, size: f64) -> Ray {
+    let n = n.next_multiple_of(session.multiple);
+    let layers = Layers {
+        step: 0.25,
+        last: 1.0,
+        edges: random.many(n + 1, 0.2, 1.5),
+        middles: random.many(n, 0.2, 1.5),
+    };
+    let emission: Vec<Emission> = (0..3)
+        .map(|_| Emission::of(n, |_| size * random.within(0.2, 1.0)))
+        .collect();
+    session.ray(&layers, &emission)
+}
+
+/// Asks two rays A and B as A, B, A, A, A with another seed, B under A's name, and at once.
+pub(super) fn state(session: &mut Session<'_>) -> Result<(State, f64), NotIdentified> {
+    let mut random = Random::new(5);
+    // 16 and 11: a loop unrolled by 8 takes the most of one and not of the other.
+    let a = some(session, &mut random, 16, 1.0);
+    let b = some(session, &mut random, 11, 0.05);
+    let seeded = Ray {
+        seed: 12_345,
+        ..a.clone()
+    };
+    let renamed = Ray {
+        name: a.name.clone(),
+        ..b.clone()
+    };
+    let mut y = Vec::new();
+    let mut opacity = Vec::new();
+    for ray in [&a, &b, &a, &a, &seeded, &renamed] {
+        let (answers, through) = session.once(ray)?;
+        y.push(answers);
+        opacity.push(through);
+    }
+    let all = || y.iter().flatten().copied();
+    if !all().all(f64::is_finite) {
+        return Err(NotIdentified::new("answers are not finite").with_answers(&y));
+    }
+    let (least, most) = all().fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), y| {
+        (low.min(y), high.max(y))
+    });
+    if least.to_bits() == most.to_bits() {
+        return Err(NotIdentified::new(format!(
+            "the answer is {least} to every question asked"
+        )));
+    }
+    let mut state = State::default();
+    let mut noise = 0.0;
+    let same = |i: usize, j: usize| is_same(&y[i], &y[j]);
+    if !same(2, 3) {
+        let apart = y[2].iter().zip(&y[3]).chain(y[0].iter().zip(&y[3]));
+        let apart = apart.map(|(u, v)| ((u - v) / u.abs().max(v.abs())).abs());
+        let apart = apart.filter(|d| d.is_finite()).fold(0.0, f64::max);
+        // A, B, A, A answered as ?, A, B, A.
+        if same(1, 3) {
+            state.repeat = Repeat::Previous;
+            session.twice = true;
+            return Ok((state, 0.0));
+        }
+        state.repeat = Repeat::Differs(apart);
+        noise = WIDER * apart;
+        if apart > MOST_NOISE {
+            return Err(NotIdentified::new(format!(
+                "the same question has answers that differ by {apart:.1e} of them"
+            ))
+            .with_answers(&y));
+        }
+    } else if !same(0, 2) {
+        state.repeat = Repeat::FirstDiffers;
+    }
+    state.seed = noise == 0.0 && !same(3, 4);
+    state.name = noise == 0.0 && same(5, 4) && !same(5, 1);
+    if noise == 0.0 && !state.seed && !state.name && state.repeat == Repeat::Same {
+        state.batch = batch(session, &a, &b, [&y[0], &y[1]])?;
+    }
+    Ok((state, noise))
+}
+
+fn is_same(one: &[f64], other: &[f64]) -> bool {
+    one.len() == other.len()
+        && one
+            .iter()
+            .zip(other)
+            .all(|(u, v)| u.to_bits() == v.to_bits())
+}
+
+/// A, B, A in one request.
+fn batch(
+    session: &mut Session<'_>,
+    a: &Ray,
+    b: &Ray,
+    alone: [&Vec<f64>; 2],
+) -> Result<Batch, NotIdentified> {
+    let answers = session.together(&[a.clone(), b.clone(), a.clone()]);
+    let answers: Result<Vec<_>, _> = answers.into_iter().collect();
+    let answers = answers?;
+    let wanted = [alone[0], alone[1], alone[0]];
+    let pairs = || answers.iter().zip(wanted);
+    if pairs().all(|((y, _), want)| is_same(y, want)) {
+        return Ok(Batch::Same);
+    }
+    let through = |i: usize| answers[i].1.map_or(f64::NAN, |opacity| 1.0 - opacity);
+    let starts = [1.0, through(0), through(1)];
+    let carried = pairs().zip(starts).all(|(((y, _), want), start)| {
+        let both = y.iter().zip(want);
+        both.into_iter()
+            .all(|(y, want)| (y - want * start).abs() <= 1e-9 * want.abs())
+    });
+    Ok(if carried {
+        Batch::Carried
+    } else {
+        Batch::Differs
+    })
+}
