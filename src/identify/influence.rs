@@ -1,7 +1,7 @@
 //! What an extinction acts on: which weights change when one is raised.
 
 use super::NotIdentified;
-use super::places::{Even, SEGMENTS, STEP, Samples};
+use super::places::{Even, STEP, Samples};
 use super::random::Random;
 use super::ray::Layers;
 use super::rule::{Place, Whole};
@@ -54,7 +54,7 @@ pub(super) fn influence(
     even: &Even,
     samples: &Samples,
 ) -> Result<Influence, NotIdentified> {
-    let n = SEGMENTS.next_multiple_of(session.multiple);
+    let n = even.weights.ray.segments.count();
     let place = samples.place;
     let extra = samples.sequence.extra.is_some();
     let nodes = nodes_of(place, n, extra);

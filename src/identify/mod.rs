@@ -212,7 +212,7 @@ fn several(
         scheme: segment::segments(session, answers)?,
         ..base
     };
-    let behind = ends::behind(session, answers, 1.0 / 8.0, &rule)?;
+    let behind = ends::behind(session, answers, 1.0 / 8.0, &rule, false)?;
     (rule.background, rule.offset) = (behind.background, behind.offset);
     Ok(Sampled {
         rule,
@@ -274,7 +274,8 @@ fn one_sample(
         rule.stop = Some(early.stop);
     }
     rule.sequence = ends::counts(session, &lone, &rule, lean)?;
-    let behind = ends::behind(session, measurer.answers, reference, &rule)?;
+    let has_vacuum = !vacuum.whole_fails && !vacuum.part_fails;
+    let behind = ends::behind(session, measurer.answers, reference, &rule, has_vacuum)?;
     (rule.background, rule.offset) = (behind.background, behind.offset);
     if behind.background != 0.0 {
         keep(Parameter::Background, behind.of_background);

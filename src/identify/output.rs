@@ -85,9 +85,12 @@ pub(super) fn output(
         takes_negative: negative.is_some(),
     };
     let mut curved = Curved { c, y };
-    cut_above(session, &mut mapped, &mut curved)?;
+    let top = cut_above(session, &mut mapped, &mut curved)?;
     cut_below(session, &mut mapped, &curved, negative.as_deref())?;
     curve(&mut mapped, &curved, state)?;
+    if let Some(top) = top {
+        emission_cut(&mut mapped, &curved, top);
+    }
     if mapped.answers.output.curve != Curve::Linear && mapped.answers.output.low == Some(0.0) {
         // A root of what is negative has no value to begin with.
         mapped.answers.output.low = None;
@@ -95,16 +98,33 @@ pub(super) fn output(
     Ok(mapped)
 }
 
-/// Answers that no emission raises: a cut of the answer or of the emission.
+/// Where the line of the radiances reaches that of the largest answer.
+fn emission_cut(mapped: &mut Mapped, curved: &Curved, top: f64) {
+    let answers = &mut mapped.answers;
+    let last = curved.c.len() - 1;
+    let (zero, far) = (
+        answers.radiance(curved.y[0]),
+        answers.radiance(curved.y[last]),
+    );
+    let most = answers.radiance(top);
+    let gain = (far.value - zero.value) / curved.c[last];
+    let part = far.error / far.value.abs() + most.error / most.value.abs();
+    let within = part + 64.0 * answers.unit + 2.0 * answers.noise;
+    let cut = simplest_near((most.value - zero.value) / gain, within);
+    mapped.emission_max = Some(cut);
+    answers.emission_max = cut;
+}
+
+/// Answers that no emission raises: a cut of the answer, or the largest answer where it is one of the emission.
 fn cut_above(
     session: &mut Session<'_>,
     mapped: &mut Mapped,
     curved: &mut Curved,
-) -> Result<(), NotIdentified> {
+) -> Result<Option<f64>, NotIdentified> {
     let count = curved.y.len();
     let (top, before) = (curved.y[count - 1], curved.y[count - 4]);
     if top.to_bits() != before.to_bits() || top <= curved.y[0] {
-        return Ok(());
+        return Ok(None);
     }
     let layers = even(session);
     let n = layers.count();
@@ -115,16 +135,9 @@ fn cut_above(
     let ray = session.ray(&layers, &[front, middle]);
     let lit = session.ask(&ray)?;
     let keep = curved.y.iter().filter(|y| **y < top).count();
-    if lit.iter().fold(f64::NEG_INFINITY, |m, y| m.max(*y)) < 0.9 * top {
-        // Below the cut the answer rises in proportion, if it does at all: the curve comes after.
-        let at = (0..keep).rev().find(|k| curved.c[*k] > 0.0);
-        let at = at.ok_or_else(|| NotIdentified::new("every emission has one answer"))?;
-        let gain = (curved.y[at] - curved.y[0]) / curved.c[at];
-        let cut = (top - curved.y[0]) / gain;
-        let cut = simplest_near(cut, 64.0 * mapped.answers.unit + 2.0 * mapped.answers.noise);
-        mapped.emission_max = Some(cut);
-        mapped.answers.emission_max = cut;
-    } else {
+    let reached = lit.iter().fold(f64::NEG_INFINITY, |m, y| m.max(*y));
+    let of_emission = reached < 0.9 * top;
+    if !of_emission {
         mapped.answers.output.high = Some(top);
     }
     curved.c.truncate(keep);
@@ -132,7 +145,7 @@ fn cut_above(
     if keep < 4 {
         return Err(NotIdentified::new("nearly every emission has one answer"));
     }
-    Ok(())
+    Ok(of_emission.then_some(top))
 }
 
 /// Negative emissions that have one answer: a cut of the answer or of the emission.
@@ -189,6 +202,11 @@ fn curve(mapped: &mut Mapped, curved: &Curved, state: &State) -> Result<(), NotI
     for curve in [Curve::Srgb, Curve::Reinhard, Curve::Exposure] {
         if bent(answers, curve, curved).worst <= allowed {
             answers.output.curve = curve;
+            let flattens = matches!(curve, Curve::Reinhard | Curve::Exposure);
+            if flattens && answers.output.high == Some(1.0) {
+                // Where it rounds to 1, and no cut.
+                answers.output.high = None;
+            }
             return Ok(());
         }
     }
@@ -225,10 +243,19 @@ fn bent(answers: &Answers, curve: Curve, curved: &Curved) -> Bent {
         ..Output::default()
     };
     let x: Vec<f64> = curved.y.iter().map(|y| curve.inverse(*y)).collect();
-    let last = curved.c.len() - 1;
     if !x.iter().all(|x| x.is_finite()) {
         return none;
     }
+    // Where a curve flattens, answers say little: the gain comes from the largest emission that is known well.
+    let trial = Answers {
+        output: Output {
+            curve,
+            ..answers.output
+        },
+        ..answers.clone()
+    };
+    let sure = |k: &usize| trial.radiance(curved.y[*k]).error <= 1e-4 * x[*k].abs();
+    let last = (1..x.len()).rev().find(sure).unwrap_or(x.len() - 1);
     let gain = (x[last] - x[0]) / (curved.c[last] - curved.c[0]);
     let mut bent = Bent {
         worst: 0.0,
@@ -239,13 +266,16 @@ fn bent(answers: &Answers, curve: Curve, curved: &Curved) -> Bent {
     for (c, y) in curved.c.iter().zip(&curved.y) {
         let model = bare.of(gain * c + x[0]);
         let residual = model - y;
-        let rounding = 256.0 * answers.unit * y.abs() + answers.noise * y.abs() + 1e-300;
+        let known = trial.radiance(curved.y[last]).error / x[last].abs().max(1e-300);
+        let steep = (bare.of((gain * c + x[0]) * (1.0 + known)) - model).abs();
+        let rounding = 256.0 * answers.unit * y.abs() + answers.noise * y.abs() + 4.0 * steep;
+        let rounding = rounding + 1e-300;
         let rounding = rounding + quantum.map_or(0.0, |q| 2.01 * q);
         bent.worst = bent.worst.max((residual / rounding).abs());
         bent.relative = bent.relative.max((residual / (y.abs() + 1e-9)).abs());
         residuals.push(residual);
     }
-    let inner = &residuals[1..last.max(1)];
+    let inner = &residuals[1..residuals.len().max(2) - 1];
     let changes = inner.windows(2).filter(|w| w[0] * w[1] < 0.0).count();
     bent.changes = changes as f64 / inner.len().max(1) as f64;
     bent

@@ -35,8 +35,8 @@ pub(super) struct Even {
     pub(super) weights: Weights,
 }
 
-/// n of the even rays.
-pub(super) const SEGMENTS: usize = 12;
+/// n of the even rays; the second where a loop unrolled by many takes none of the first, and leaves a rest to any loop.
+const SEGMENTS: [usize; 2] = [12, 47];
 /// d.
 pub(super) const STEP: f64 = 0.25;
 /// τ of the first.
@@ -54,7 +54,20 @@ pub(super) fn even(
     answers: &Answers,
     is_random: bool,
 ) -> Result<Even, NotIdentified> {
-    let n = SEGMENTS.next_multiple_of(session.multiple);
+    let mut found = even_of(session, answers, is_random, SEGMENTS[0])?;
+    if found.weights.of.iter().all(|w| w.value == 0.0) {
+        found = even_of(session, answers, is_random, SEGMENTS[1])?;
+    }
+    Ok(found)
+}
+
+fn even_of(
+    session: &mut Session<'_>,
+    answers: &Answers,
+    is_random: bool,
+    n: usize,
+) -> Result<Even, NotIdentified> {
+    let n = n.next_multiple_of(session.multiple);
     let nodes = all_nodes(n);
     let mut random = Random::new(11);
     let most = answers.emission_max.min(1.0) * answers.output.high.map_or(1.0, |h| h.min(1.0));
@@ -75,7 +88,7 @@ pub(super) fn even(
                 weights: found,
             });
         }
-        extinction *= 0.1 / lost;
+        extinction *= 0.6 * DEEPEST / (lost * n as f64);
     }
     Err(NotIdentified::new(
         "no even medium is thin enough to see through",
@@ -249,7 +262,7 @@ fn readings() -> Vec<Reading> {
     for place in [Place::Middle, Place::Front, Place::Back] {
         for first in ends {
             for last in ends {
-                for extra in [None, Some(Extra::Step)] {
+                for extra in [None, Some(Extra::Step), Some(Extra::Last)] {
                     if extra.is_some() && place == Place::Middle {
                         continue;
                     }
@@ -377,28 +390,32 @@ fn told_by_last_step(
         let allowed = whole.error + part.error + 64.0 * answers.relative(n) * whole.value.abs();
         (whole.value - part.value).abs() > allowed
     };
-    let lit = |node: &Node| weight_of(&even.weights, n, *node).value != 0.0;
     let changes: Vec<Node> = all_nodes(n)
         .into_iter()
         .filter(|node| changed(*node))
         .collect();
-    let lit: Vec<Node> = all_nodes(n).into_iter().filter(lit).collect();
-    if changes.is_empty() || changes.len() == lit.len() {
+    if changes.is_empty() {
         return Ok(readings);
     }
     let agrees = |reading: &Reading| {
         let back = reading.place == Place::Back;
         let last = isize::try_from(n).unwrap_or(isize::MAX) - 1;
         let order = reading.sequence.order(n, false, back);
-        let from = order.iter().position(|i| *i == last);
-        let Some(from) = from else { return false };
-        // The last segment's own sample changes, and what lies behind it may.
-        let own = reading.place.node(last);
-        let behind: Vec<Node> = order[from..]
-            .iter()
-            .filter_map(|i| reading.place.node(*i))
-            .collect();
-        own.is_some_and(|own| changes.contains(&own))
+        // Samples that stand for a segment as short as the last one.
+        let is_short = |i: &isize| {
+            let is_extra = *i < 0 || *i > last;
+            *i == last || (is_extra && reading.sequence.extra == Some(Extra::Last))
+        };
+        let Some(from) = order.iter().position(is_short) else {
+            return false;
+        };
+        // Their own weights change, and what lies behind them may.
+        let nodes = |of: &mut dyn Iterator<Item = &isize>| -> Vec<Node> {
+            of.filter_map(|i| reading.place.node(*i)).collect()
+        };
+        let own = nodes(&mut order.iter().filter(|i| is_short(i)));
+        let behind = nodes(&mut order[from..].iter());
+        own.iter().all(|own| changes.contains(own))
             && changes.iter().all(|node| behind.contains(node))
     };
     let told: Vec<Reading> = readings.iter().copied().filter(agrees).collect();

@@ -27,6 +27,7 @@ pub(in crate::identify) fn behind(
     answers: &Answers,
     reference: f64,
     rule: &Rule,
+    has_vacuum: bool,
 ) -> Result<Behind, NotIdentified> {
     let unrolled = usize::try_from(rule.sequence.unrolled).unwrap_or(1).max(1);
     let n = SEGMENTS
@@ -34,12 +35,17 @@ pub(in crate::identify) fn behind(
         .next_multiple_of(session.multiple);
     let length = 0.25;
     let mut rows = Vec::new();
-    for tau in [
+    let mut taus = vec![
         1e-9 * reference,
         8.0 * reference,
         24.0 * reference,
         400.0 * reference,
-    ] {
+    ];
+    if has_vacuum {
+        // Before a wall only what holds nothing lets anything through.
+        taus.push(0.0);
+    }
+    for tau in taus {
         let taus = vec![tau; n];
         let layers = Layers::of(length, &taus);
         let ray = session.ray(&layers, &[Emission::even(n, 0.0)]);
@@ -59,7 +65,8 @@ pub(in crate::identify) fn behind(
             .with_rows(&["let through", "answer", "error"], rows)
     };
     // y = offset + background p, by the first and the last.
-    let (first, last) = (rows[0], rows[3]);
+    let first = if has_vacuum { rows[4] } else { rows[0] };
+    let last = rows[3];
     if (first.0 - last.0).abs() < 1e-9 {
         // Nothing absorbs: behind or in front, no probe can tell.
         let same = rows.iter().all(|(_, y, _)| (y - first.1).abs() <= slack);

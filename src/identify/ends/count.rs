@@ -30,7 +30,12 @@ pub(in crate::identify) fn counts(
     let mut sequence = lone.measurer.samples.sequence;
     let place = lone.measurer.samples.place;
     let extra = sequence.extra.is_some();
-    let tau = visible(lone, lone.reference(0.25) / 4.0);
+    let mut tau = visible(lone, lone.reference(0.25) / 4.0);
+    if let Some(stop) = rule.stop.filter(|stop| stop.by == StopBy::Weight) {
+        // Thick enough that no sample ends the ray.
+        let thick = lone.with_weight(8.0 * stop.under, 0.25, f64::NAN);
+        tau = tau.max(thick.unwrap_or(tau));
+    }
     let back = place == Place::Back;
     let small: &[usize] = if lean { &LEAN } else { &SMALL };
     let mut seen: Vec<(usize, usize)> = Vec::new();
@@ -70,7 +75,8 @@ pub(in crate::identify) fn counts(
         };
         sequence = found;
     }
-    if !sequence.swapped && !lean {
+    let by_weight = rule.stop.is_some_and(|stop| stop.by == StopBy::Weight);
+    if !sequence.swapped && !lean && !by_weight {
         sequence.most = most(session, lone, rule, &sequence)?;
     }
     Ok(sequence)

@@ -24,6 +24,23 @@ impl Lone<'_> {
         found.map_or(1.0 / 32.0 / length, |r| r.extinction)
     }
 
+    /// The least extinction whose weight is that or more; `None` where none is.
+    pub(super) fn with_weight(&self, weight: f64, length: f64, ray: f64) -> Option<f64> {
+        let (mut low, mut high) = (0.0, 4096.0 * self.reference(length));
+        if self.of(high, length, ray).0 < weight {
+            return None;
+        }
+        for _ in 0..90 {
+            let middle = f64::midpoint(low, high);
+            if self.of(middle, length, ray).0 < weight {
+                low = middle;
+            } else {
+                high = middle;
+            }
+        }
+        Some(high)
+    }
+
     /// The least extinction that lets no more than `passes` through.
     pub(super) fn invert(&self, passes: f64, length: f64, ray: f64) -> f64 {
         let (mut low, mut high) = (0.0, 4096.0 * self.reference(length));

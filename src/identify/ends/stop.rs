@@ -5,6 +5,7 @@ use crate::identify::NotIdentified;
 use crate::identify::number::simplest;
 use crate::identify::rule::{Sequence, Stop, StopBy};
 use crate::identify::session::Session;
+use crate::identify::weights::Measured;
 
 /// An early end, between these.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -19,6 +20,8 @@ const SEGMENTS: usize = 64;
 const LEAST: f64 = 1e-13;
 /// Rounds of refinement.
 const ROUNDS: usize = 14;
+/// A bracket wider than this says no number.
+const LOOSE: f64 = 1e-3;
 /// Bracket's width that is fine enough.
 const FINE: f64 = 1e-8;
 
@@ -30,6 +33,8 @@ struct Trial {
     weights: Vec<f64>,
     /// The position of the last one that counted.
     last: usize,
+    /// What it was seen to weigh.
+    seen: Measured,
 }
 
 /// A reading of what decides.
@@ -90,7 +95,8 @@ pub(in crate::identify) fn early_end(
     let length = 1.0;
     let n = lone.measurer.suitable(session, SEGMENTS);
     let ray = n as f64 * length;
-    let tau = lone.reference(length) * 16.0;
+    // No round depth: thresholds are round.
+    let tau = lone.reference(length) * 16.37;
     let passes = lone.of(tau, length, ray).1;
     if !(passes > 0.0 && passes < 1.0) {
         return Ok(None);
@@ -107,45 +113,70 @@ pub(in crate::identify) fn early_end(
     if thick.last + 2 >= count || thick.after[thick.last] < least {
         return Ok(None);
     }
-    // A jump from little to nearly all tells whether the sample that goes under still counts.
-    let mut jump = vec![lone.reference(length); n];
-    jump[3] = lone.invert((thick.after[thick.last] * 1e-3).max(1e-12), length, ray);
-    let jump = trial(session, lone, &jump, length)?;
-    let mut trials = vec![thick, jump];
+    let mut trials = vec![thick];
+    // A jump from above the end to far below it tells whether the sample that goes under still counts.
+    let (low, high) = (
+        trials[0].after[trials[0].last],
+        trials[0].after[trials[0].last.saturating_sub(1)],
+    );
+    if let Some(taus) = jump(lone, n, length, low, high) {
+        trials.push(trial(session, lone, &taus, length)?);
+    }
+    if let Some((level, error)) = cut(&trials, lone) {
+        let bracket = (level - error, level + error);
+        return Ok(Some(Early {
+            stop: Stop {
+                by: StopBy::Transmittance,
+                under: simplest_threshold(bracket),
+                before: false,
+                cut: true,
+                renormalised: false,
+            },
+            bracket,
+        }));
+    }
+    let fine_enough = FINE + 64.0 * lone.measurer.answers.unit;
+    let mut stuck = [false; READINGS.len()];
     for _ in 0..ROUNDS {
-        let Some((reading, (low, high))) = reading(&trials) else {
-            return Err(failed(&trials));
-        };
-        if high / low - 1.0 < FINE + 64.0 * lone.measurer.answers.unit {
+        // Every reading that is left is put to the test, until it breaks or is sharp.
+        let open = READINGS.iter().enumerate().filter_map(|(k, reading)| {
+            let (low, high) = reading.of_all(&trials)?;
+            (!stuck[k] && high / low - 1.0 > fine_enough).then_some((k, reading, low, high))
+        });
+        let widest = open.max_by(|u, v| (u.3 / u.2).total_cmp(&(v.3 / v.2)));
+        let Some((k, reading, low, high)) = widest else {
             break;
-        }
+        };
         let taus = match reading.by {
             StopBy::Transmittance => fine(lone, n, length, low, high),
             StopBy::Weight => falling(lone, n, length, low, high),
         };
-        let Some(taus) = taus else { break };
+        let Some(taus) = taus else {
+            stuck[k] = true;
+            continue;
+        };
         let next = trial(session, lone, &taus, length)?;
         if next.last + 1 >= next.after.len() {
-            break;
+            stuck[k] = true;
+            continue;
         }
-        let before = (low, high);
         trials.push(next);
-        if reading.of_all(&trials) == Some(before) {
-            break;
-        }
+        let now = reading.of_all(&trials);
+        stuck[k] = now.is_some_and(|now| now.1 / now.0 > 0.999 * (high / low) && high / low < 1.5);
     }
     let Some((reading, (low, high))) = reading(&trials) else {
         return Err(failed(&trials));
     };
-    let under = simplest(low, high);
-    // 0.05 is said as 1 − 0.95 where that has fewer digits.
-    let opaque = 1.0 - simplest(1.0 - high, 1.0 - low);
-    let is_shorter = format!("{:e}", 1.0 - opaque).len() < format!("{under:e}").len();
-    let under = if (low..=high).contains(&opaque) && is_shorter {
-        opaque
-    } else {
-        under
-    };
+    if high / low - 1.0 > LOOSE.max(fine_enough) {
+        return Err(NotIdentified::new(format!(
+            "rays end early, under {} between {low:.3e} and {high:.3e}",
+            match reading.by {
+                StopBy::Transmittance => "a transmittance",
+                StopBy::Weight => "a weight",
+            }
+        )));
+    }
+    let under = simplest_threshold((low, high));
     let renormalised = renormalised(session, lone, tau, n, length)?;
     Ok(Some(Early {
         stop: Stop {
@@ -157,6 +188,54 @@ pub(in crate::identify) fn early_end(
         },
         bracket: (low, high),
     }))
+}
+
+/// The simplest threshold of a bracket: 0.05 is said as 1 − 0.95 where that has fewer digits.
+fn simplest_threshold((low, high): (f64, f64)) -> f64 {
+    let under = simplest(low, high);
+    let opaque = 1.0 - simplest(1.0 - high, 1.0 - low);
+    let is_shorter = format!("{:e}", 1.0 - opaque).len() < format!("{under:e}").len();
+    if (low..=high).contains(&opaque) && is_shorter {
+        opaque
+    } else {
+        under
+    }
+}
+
+/// The transmittance at which it stays, where the last sample of every trial weighs less than its opacity says, by just
+/// as much as leads there.
+fn cut(trials: &[Trial], lone: &Lone<'_>) -> Option<(f64, f64)> {
+    let mut levels = Vec::new();
+    for trial in trials {
+        let last = trial.last;
+        let before = last.checked_sub(1).map_or(1.0, |k| trial.after[k]);
+        let part = trial.seen.value / trial.weights[last];
+        let error = trial.seen.error / trial.weights[last];
+        let opacity = before - trial.after[last];
+        let slack = 3.0 * error + 256.0 * lone.measurer.answers.unit / before;
+        if !(part < 1.0 - slack) {
+            return None;
+        }
+        levels.push((before - part * opacity, slack * opacity + 1e-15));
+    }
+    let (level, error) = *levels.iter().min_by(|u, v| u.1.total_cmp(&v.1))?;
+    let agree = levels.iter().all(|(l, e)| (l - level).abs() <= e + error);
+    (agree && levels.len() > 1).then_some((level, error))
+}
+
+/// A few segments to just above `high`, one to far below `low`, then thin ones.
+fn jump(lone: &Lone<'_>, n: usize, length: f64, low: f64, high: f64) -> Option<Vec<f64>> {
+    let ray = n as f64 * length;
+    let above = (2.0 * high).min(1.0 - 1e-6);
+    let lead = 1 + whole(-above.ln() / 0.4);
+    if lead + 8 > n {
+        return None;
+    }
+    let thin = lone.reference(length);
+    let mut taus = vec![lone.invert(above.powf(1.0 / lead as f64), length, ray); lead];
+    taus.push(lone.invert((low / above * 0.05).max(1e-12), length, ray));
+    taus.resize(n, thin);
+    Some(taus)
 }
 
 fn reading(trials: &[Trial]) -> Option<(Reading, (f64, f64))> {
@@ -208,10 +287,12 @@ fn trial(
     }
     let lit = |k: &usize| w[*k].value.abs() > 3.0 * w[*k].error;
     let last = order.iter().rposition(lit).unwrap_or(0);
+    let seen = w[order[last]];
     Ok(Trial {
         after,
         weights,
         last,
+        seen,
     })
 }
 
@@ -244,9 +325,14 @@ fn fine(lone: &Lone<'_>, n: usize, length: f64, low: f64, high: f64) -> Option<V
     let step = (low / high).powf(1.0 / (rest - 1) as f64);
     let lead_tau = lone.invert(high.powf(1.0 / lead as f64), length, ray);
     let fine_tau = lone.invert(step, length, ray);
-    let mut taus = vec![1e-12 * lone.reference(length)];
+    let near = lone.measurer.near_end();
+    let mut taus = Vec::new();
+    if near != crate::identify::rule::End::Once {
+        // A first sample that does not count once holds next to nothing.
+        taus.push(1e-12 * lone.reference(length));
+    }
     taus.extend(vec![lead_tau; lead]);
-    taus.extend(vec![fine_tau; rest]);
+    taus.resize(n, fine_tau);
     Some(taus)
 }
 
@@ -258,12 +344,8 @@ fn falling(lone: &Lone<'_>, n: usize, length: f64, low: f64, high: f64) -> Optio
     let (mut passes, mut target) = (1.0, high);
     let mut taus = Vec::new();
     for _ in 0..n {
-        // α with T α = target.
-        let opacity = target / passes;
-        if !(opacity > 0.0 && opacity < 0.9) {
-            return None;
-        }
-        let tau = lone.invert(1.0 - opacity, length, ray);
+        // w with T w = target.
+        let tau = lone.with_weight(target / passes, length, ray)?;
         taus.push(tau);
         passes *= lone.of(tau, length, ray).1;
         target *= ratio;
@@ -316,7 +398,7 @@ fn trial_weights(
     length: f64,
 ) -> Result<Vec<f64>, NotIdentified> {
     let w = lone.measurer.weights(session, taus, length)?;
-    let lit = |w: &crate::identify::weights::Measured| {
+    let lit = |w: &Measured| {
         if w.value.abs() > 3.0 * w.error {
             w.value
         } else {

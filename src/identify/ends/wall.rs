@@ -28,7 +28,7 @@ pub(in crate::identify) fn wall(
         let w = lone.measurer.weights(session, &taus, length)?;
         // w[n−2] = T α, and T p stands before the last.
         let (weight, passes) = lone.of(tau, length, ray);
-        let before = w[n - 2].value / weight * passes;
+        let before = w[n - 2].value / weight * passes * lone.law.scale.0;
         let part = w[n - 1].value / before;
         let error = (w[n - 1].error + w[n - 2].error / weight) / before;
         rows.push(vec![extinction, part, error]);

@@ -331,6 +331,13 @@ pub(in crate::identify) fn has(law: &Law, point: &Point, answers: &Answers) -> b
     let size = weight.abs().max(law.scale.0.abs());
     // An opacity by subtraction is off by a unit of 1.
     let slack = 16.0 * answers.unit + answers.noise;
+    // A ray that ends in this very segment may have cut its weight.
+    let ends = point.passes.value.is_nan() && point.weight.value < weight;
+    let is_one = |w: f64| (w - 1.0).abs() <= 1e-9 + 64.0 * answers.unit;
+    let w = point.weight.value;
+    if ends && !is_one(w) && !is_one(w / law.scale.0) {
+        return true;
+    }
     let near = |m: Measured, want: f64, size: f64| {
         m.value.is_nan() || (m.value - want).abs() <= 3.0 * m.error + slack * size
     };

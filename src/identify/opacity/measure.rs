@@ -24,8 +24,8 @@ pub(in crate::identify) struct Point {
 pub(in crate::identify) struct Reference {
     pub(in crate::identify) length: f64,
     pub(in crate::identify) extinction: f64,
-    /// The weight of the second sample of a ray of references alone.
-    second: f64,
+    /// What they are weighed by, of a ray of references alone.
+    own: Measured,
 }
 
 /// How samples are measured.
@@ -89,7 +89,7 @@ impl Measurer<'_> {
     }
 
     /// Samples at the near end that do not count once.
-    fn near_end(&self) -> End {
+    pub(in crate::identify) fn near_end(&self) -> End {
         let sequence = &self.samples.sequence;
         if sequence.swapped {
             sequence.last
@@ -109,14 +109,17 @@ impl Measurer<'_> {
         let mut found = Reference {
             length,
             extinction,
-            second: 0.0,
+            own: Measured {
+                value: f64::NAN,
+                error: f64::INFINITY,
+            },
         };
         let mut before: Option<(f64, f64)> = None;
         for _ in 0..10 {
             let n = self.suitable(session, 9);
             let w = self.weights(session, &vec![extinction; n], length)?;
             found.extinction = extinction;
-            found.second = w[1].value;
+            found.own = self.own(&w, n);
             let got = if w[2].value > 0.0 && w[3].value > 0.0 {
                 (w[2].value / w[3].value).ln()
             } else {
@@ -162,7 +165,8 @@ impl Measurer<'_> {
         let count = extinctions.len();
         let n = self.suitable(session, lead + TAIL + 3 * count);
         let mut taus = vec![reference.extinction; n];
-        let at: Vec<usize> = (0..count).map(|k| lead + 3 * k).collect();
+        // From the last to the first: given in ascending order the thin ones come last, where a ray may end by them.
+        let at: Vec<usize> = (0..count).rev().map(|k| lead + 3 * k).collect();
         for (place, tau) in at.iter().zip(extinctions) {
             taus[*place] = *tau;
         }
@@ -175,17 +179,8 @@ impl Measurer<'_> {
             Measured { value, error }
         };
         let through = self.through(&w, &at, lead, count);
-        let near = lead - 2;
-        let shift = match self.near_end() {
-            End::Once => 0,
-            End::Twice => 1,
-            End::Missing => -1,
-        };
-        let steps = i32::try_from(near).unwrap_or(0) + shift - i32::from(sequence.late);
-        let mut own = Measured {
-            value: w[near].value / through.value.powi(steps),
-            error: w[near].error,
-        };
+        // From a ray of its own: a factor of the whole ray falls out.
+        let own = reference.own;
         let ray = n as f64 * reference.length;
         let unit = self.answers.unit;
         let mut points: Vec<Point> = at
@@ -224,15 +219,6 @@ impl Measurer<'_> {
                 }
             })
             .collect();
-        let factor = self.factor(&w, &points, through.value, n, reference);
-        if factor.is_finite() && factor > 0.0 {
-            for point in &mut points {
-                point.weight.value *= factor;
-                point.weight.error *= factor;
-            }
-            own.value *= factor;
-            own.error *= factor;
-        }
         points.push(Point {
             extinction: reference.extinction,
             length: reference.length,
@@ -283,41 +269,37 @@ impl Measurer<'_> {
         }
     }
 
-    /// What undoes a factor of the whole ray.
-    fn factor(
-        &self,
-        w: &[Measured],
-        points: &[Point],
-        through: f64,
-        n: usize,
-        reference: &Reference,
-    ) -> f64 {
-        let back = self.samples.place == Place::Back;
-        let order = self.samples.sequence.order(n, false, back);
-        let ended = w.last().is_some_and(|w| w.value.abs() <= 3.0 * w.error);
-        match self.whole {
-            Whole::One if ended && self.samples.sequence.last != End::Missing => {
-                // Rays that end early may be divided by the opacity reached.
-                let factor = reference.second / w[1].value;
-                if (factor - 1.0).abs() > 1e-9 + 64.0 * self.answers.unit {
-                    factor
-                } else {
-                    1.0
-                }
-            }
+    /// The weight of a reference behind nothing, from a ray of nothing else.
+    fn own(&self, w: &[Measured], n: usize) -> Measured {
+        let sequence = &self.samples.sequence;
+        let shift = match self.near_end() {
+            End::Once => 0,
+            End::Twice => 1,
+            End::Missing => -1,
+        };
+        let through = w[3].value / w[2].value;
+        let of_through = w[3].error / w[3].value.abs() + w[2].error / w[2].value.abs();
+        // One too many stands in front of all at the back of segments.
+        let is_behind = self.samples.place == Place::Back && sequence.extra.is_some();
+        let steps = 2 + shift - i32::from(sequence.late) + i32::from(is_behind);
+        let order = sequence.order(n, false, self.samples.place == Place::Back);
+        let count = i32::try_from(order.len()).unwrap_or(i32::MAX);
+        let end = through.powi(count);
+        let factor = match self.whole {
             Whole::One => 1.0,
-            Whole::ByOpacity | Whole::TimesOpacity => {
-                let passes = points.iter().map(|p| p.passes.value);
-                let passes = passes.filter(|p| p.is_finite()).product::<f64>();
-                let references = order.len().saturating_sub(points.len());
-                let exponent = i32::try_from(references).unwrap_or(i32::MAX);
-                let end = passes * through.powi(exponent);
-                if self.whole == Whole::ByOpacity {
-                    1.0 - end
-                } else {
-                    1.0 / (1.0 - end)
-                }
-            }
+            Whole::ByOpacity => 1.0 - end,
+            Whole::TimesOpacity => 1.0 / (1.0 - end),
+        };
+        let value = w[2].value / through.powi(steps) * factor;
+        let of_factor = if self.whole == Whole::One {
+            0.0
+        } else {
+            f64::from(count) * end / (1.0 - end) * of_through
+        };
+        let part = w[2].error / w[2].value.abs() + f64::from(steps) * of_through + of_factor;
+        Measured {
+            value,
+            error: value.abs() * (part + 2.0 * self.answers.unit / DEPTH),
         }
     }
 }

@@ -183,7 +183,8 @@ impl Search<'_, '_, '_> {
 
     /// Small opacities that are not corrected for the step.
     fn uncorrected(&mut self, law: &Law) -> Result<Option<Law>, NotIdentified> {
-        let wrong = self.wrong(law);
+        let mut wrong = self.wrong(law);
+        wrong.retain(|p| law.depth.of(&p.extinction, &p.length, &p.ray) < 0.3);
         let of = |p: &Point| {
             Shape::Exponential.depth(1.0 - p.passes.value, p.passes.value) / p.extinction
         };
@@ -207,11 +208,15 @@ impl Search<'_, '_, '_> {
             };
             has(&bare, p, self.measurer.answers)
         };
-        if lengths.len() < 3 || !wrong.iter().filter(usable).all(&is_bare) {
+        if !wrong.iter().filter(usable).all(&is_bare) {
             return Ok(None);
         }
         let mut brackets = Vec::new();
-        for step in [0.25, 0.0625] {
+        for step in [0.25, 0.0625, 0.7] {
+            if (step - length).abs() < 1e-3 {
+                // There both say the same.
+                continue;
+            }
             let here = |p: &&Point| (p.length - step).abs() < 1e-12;
             let Some(low) = largest(wrong.iter().filter(usable).filter(here)) else {
                 continue;
@@ -225,10 +230,10 @@ impl Search<'_, '_, '_> {
             let unit = |tau: f64| -(-tau * length).exp_m1();
             brackets.extend(border.map(|(low, high)| (unit(low), unit(high))));
         }
-        let [first, second] = brackets.as_slice() else {
-            return Ok(None);
-        };
-        let Some(both) = overlap(*first, *second) else {
+        let mut brackets = brackets.into_iter();
+        let first = brackets.next();
+        let both = brackets.fold(first, |both, next| overlap(both?, next));
+        let Some(both) = both else {
             return Ok(None);
         };
         let mut law = law.clone();
@@ -240,17 +245,24 @@ impl Search<'_, '_, '_> {
     /// Thick segments that all have one opacity, or one extinction.
     fn clamped(&mut self, law: &Law) -> Result<Option<Law>, NotIdentified> {
         let wrong = self.wrong(law);
-        let deep = |p: &&Point| p.weight.value.is_finite() && p.extinction * p.length > 0.0;
-        let top: Vec<&Point> = wrong.iter().filter(deep).collect();
+        let answers = self.measurer.answers;
+        let near_one = 1e-9 + 64.0 * answers.unit;
+        // α from what is let through; where nothing is, from a weight that is that of 1.
+        let opacity = |p: &&Point| -> Option<(f64, f64)> {
+            let deep = law.depth.of(&p.extinction, &p.length, &p.ray) > 0.3;
+            if p.passes.value.is_finite() {
+                let passes = p.passes.value - law.eps;
+                return deep.then_some((1.0 - passes, p.passes.error));
+            }
+            let is_one = (p.weight.value / law.scale.0 - 1.0).abs() <= near_one;
+            (deep && is_one).then_some((1.0, near_one))
+        };
+        let top: Vec<&Point> = wrong.iter().filter(|p| opacity(p).is_some()).collect();
         if top.len() < 2 {
             return Ok(None);
         }
-        let answers = self.measurer.answers;
         let mut best: Option<Law> = None;
-        let opacities = top
-            .iter()
-            .map(|p| (p.weight.value / law.scale.0, p.weight.error));
-        let opacities: Vec<(f64, f64)> = opacities.collect();
+        let opacities: Vec<(f64, f64)> = top.iter().filter_map(|p| opacity(p)).collect();
         let (least, most) = opacities
             .iter()
             .fold((f64::INFINITY, f64::NEG_INFINITY), |(l, h), o| {
@@ -309,8 +321,9 @@ impl Search<'_, '_, '_> {
 
     /// Another formula below a depth.
     fn series(&mut self, law: &Law) -> Result<Option<Law>, NotIdentified> {
-        let wrong = self.wrong(law);
         let x = |p: &Point| law.depth.of(&p.extinction, &p.length, &p.ray);
+        let mut wrong = self.wrong(law);
+        wrong.retain(|p| x(p) < 0.5);
         let answers = self.measurer.answers;
         let Some(deepest) = wrong
             .iter()
@@ -324,7 +337,7 @@ impl Search<'_, '_, '_> {
         let Some(next) = over.map(x).min_by(f64::total_cmp) else {
             return Ok(None);
         };
-        if law.shape != Shape::Exponential || deepest > 1.0 {
+        if law.shape != Shape::Exponential {
             return Ok(None);
         }
         let length = 0.25;
@@ -340,7 +353,8 @@ impl Search<'_, '_, '_> {
         for terms in 1..=8 {
             let mut series = law.clone();
             series.range.series = Some(Series { below, terms });
-            if self.wrong(&series).is_empty() {
+            let explained = self.wrong(&series);
+            if !explained.iter().any(|p| x(p) < 0.5) {
                 return Ok(Some(series));
             }
         }
