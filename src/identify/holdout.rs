@@ -51,6 +51,19 @@ pub struct HoldOut {
     pub kinds: Vec<Kind>,
     /// Rays on which it fails.
     pub misses: Vec<Miss>,
+    /// The opacities answered beside 1 − T of the rule.
+    pub opacity: OpacityCheck,
+}
+
+/// Opacities that were answered.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct OpacityCheck {
+    /// How many.
+    pub answered: usize,
+    /// How many of them are 1 − T of the whole ray.
+    pub agree: usize,
+    /// The largest difference.
+    pub largest: f64,
 }
 
 impl HoldOut {
@@ -89,6 +102,10 @@ enum What {
     Opaque,
     /// Emissions of both signs.
     Negative,
+    /// Extinctions and emissions that change slowly, as those of users do.
+    Smooth,
+    /// The same everywhere.
+    Even,
 }
 
 const USUAL: Make = Make {
@@ -102,7 +119,19 @@ const USUAL: Make = Make {
 };
 
 /// The kinds: what tells rules apart that differ on few rays has one of its own.
-const MAKES: [Make; 13] = [
+const MAKES: [Make; 15] = [
+    Make {
+        name: "smooth",
+        segments: [150, 250],
+        what: What::Smooth,
+        ..USUAL
+    },
+    Make {
+        name: "even",
+        segments: [20, 60],
+        what: What::Even,
+        ..USUAL
+    },
     Make {
         name: "thin",
         depth: [1e-3, 0.02],
@@ -223,7 +252,12 @@ pub(super) fn hold_out(
                 let ray = ray(session, &mut random, make, partial, terms);
                 kind.rays += 1;
                 match session.ask_any(&ray) {
-                    Ok(got) => judge(rule, terms, &ray, &got, &mut kind, &mut out.misses),
+                    Ok(got) => {
+                        judge(rule, terms, &ray, &got, &mut kind, &mut out.misses);
+                        if let Some(opacity) = session.opacity {
+                            check_opacity(rule, terms, &ray, opacity, &mut out.opacity);
+                        }
+                    }
                     Err(Silence::Budget(spent)) => return Err(Silence::Budget(spent)),
                     Err(_) => kind.unanswered += 1,
                 }
@@ -280,6 +314,16 @@ fn ray(
             let opaque = 36.0 * terms.typical / step;
             (edges[at], edges[at + 1], middles[at]) = (opaque, opaque, opaque);
         }
+        What::Smooth => {
+            let mean = depth / (n as f64 * step);
+            let wave = wave(random);
+            edges = (0..=n).map(|i| mean * wave(i as f64 / n as f64)).collect();
+            middles = (0..n).map(|i| mean * wave((i as f64 + 0.5) / n as f64)).collect();
+        }
+        What::Even => {
+            let tau = depth / (n as f64 * step);
+            (edges, middles) = (vec![tau; n + 1], vec![tau; n]);
+        }
         What::Full | What::Gaps | What::Negative => {}
     }
     let bright = make.bright * if partial { 1.0 } else { 4.0 };
@@ -289,7 +333,14 @@ fn ray(
         0.0
     };
     let emission: Vec<Emission> = (0..3)
-        .map(|_| Emission::of(n, |_| random.within(low, bright)))
+        .map(|_| match make.what {
+            What::Smooth => {
+                let wave = wave(random);
+                Emission::of(n, |i| 0.5 * bright * wave(i / n as f64))
+            }
+            What::Even => Emission::even(n, random.within(low, bright)),
+            _ => Emission::of(n, |_| random.within(low, bright)),
+        })
         .collect();
     let layers = Layers {
         step,
@@ -298,6 +349,25 @@ fn ray(
         middles,
     };
     session.ray(&layers, &emission)
+}
+
+/// A wave about 1, with two periods or fewer along the ray.
+fn wave(random: &mut Random) -> impl Fn(f64) -> f64 + use<> {
+    let (phase, periods) = (random.within(0.0, 6.0), random.within(0.5, 2.0));
+    move |part| 1.0 + 0.9 * (phase + std::f64::consts::TAU * periods * part).sin()
+}
+
+/// Compares the opacity that came with an answer with 1 − T.
+fn check_opacity(rule: &Rule, terms: &Terms<'_>, ray: &Ray, got: f64, check: &mut OpacityCheck) {
+    let composed = rule.composed(&ray.segments, ray.step, Native::<f64>::new());
+    let n = ray.segments.count() as f64;
+    let quantum = rule.output.quantum.unwrap_or(0.0);
+    let allowed = terms.answers.unit * (64.0 + 8.0 * n) + terms.answers.noise + quantum;
+    let off = (got - (1.0 - composed.passes)).abs();
+    check.answered += 1;
+    check.agree += usize::from(off <= allowed);
+    // A difference that is no number is no small one.
+    check.largest = if off.is_finite() { check.largest.max(off) } else { f64::INFINITY };
 }
 
 /// Compares the answers to a ray with the rule's.

@@ -212,12 +212,13 @@ fn several(
         scheme: segment::segments(session, answers)?,
         ..base
     };
-    let behind = ends::behind(session, answers, 1.0 / 8.0, &rule, false)?;
+    let vacuum = ends::failures(session, 1.0 / 8.0)?;
+    let behind = ends::behind(session, answers, 1.0 / 8.0, &rule, !vacuum.whole_fails)?;
     (rule.background, rule.offset) = (behind.background, behind.offset);
     Ok(Sampled {
         rule,
         typical: 1.0,
-        vacuum: Vacuum::default(),
+        vacuum,
     })
 }
 

@@ -75,6 +75,8 @@ pub(super) struct Session<'k> {
     pub(super) multiple: usize,
     /// Steps divide the ray.
     pub(super) divides: bool,
+    /// The opacity that came with the last answer.
+    pub(super) opacity: Option<f64>,
     names: u64,
     heard: &'k mut dyn FnMut(&Spent),
 }
@@ -97,6 +99,7 @@ impl<'k> Session<'k> {
             channels: Channels::Straight,
             multiple,
             divides,
+            opacity: None,
             names: 0,
             heard,
         }
@@ -220,7 +223,8 @@ impl<'k> Session<'k> {
             if self.twice {
                 self.once(ray)?;
             }
-            let (y, _) = self.once(ray)?;
+            let (y, opacity) = self.once(ray)?;
+            self.opacity = opacity;
             let count = end - start;
             answers.extend((0..count).map(|k| y[self.channels.place(k, count)]));
         }

@@ -167,8 +167,10 @@ fn most(
     let (weight, passes) = lone.of(tau, 0.25, ray_length);
     let at = i32::try_from(low + 2).unwrap_or(i32::MAX);
     let left = passes.powi(at);
-    let shows = weight * left * size
-        > 1e-10_f64.max(8.0 * lone.measurer.answers.output.quantum.unwrap_or(0.0));
+    let answers = lone.measurer.answers;
+    // Narrow formats end where numbers do, and lose what is small beside what is large.
+    let least = if answers.unit > 1e-6 { 1e-3 } else { 1e-10 };
+    let shows = weight * left * size > f64::max(least, 8.0 * answers.output.quantum.unwrap_or(0.0));
     let ended = rule.stop.is_some_and(|stop| match stop.by {
         StopBy::Transmittance => left <= 2.0 * stop.under,
         StopBy::Weight => weight * left <= 2.0 * stop.under,

@@ -13,5 +13,5 @@ pub(super) use count::counts;
 pub(super) use last::last_step;
 pub(super) use lone::Lone;
 pub(super) use stop::{Early, early_end};
-pub(super) use vacuum::{Vacuum, vacuum};
+pub(super) use vacuum::{Vacuum, failures, vacuum};
 pub(super) use wall::wall;

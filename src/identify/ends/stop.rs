@@ -21,7 +21,7 @@ const LEAST: f64 = 1e-13;
 /// Rounds of refinement.
 const ROUNDS: usize = 14;
 /// A bracket wider than this says no number.
-const LOOSE: f64 = 1e-3;
+const LOOSE: f64 = 1e-2;
 /// Bracket's width that is fine enough.
 const FINE: f64 = 1e-8;
 
@@ -193,6 +193,11 @@ pub(in crate::identify) fn early_end(
 /// The simplest threshold of a bracket: 0.05 is said as 1 − 0.95 where that has fewer digits.
 fn simplest_threshold((low, high): (f64, f64)) -> f64 {
     let under = simplest(low, high);
+    // 1/255 and its like.
+    let part = 1.0 / (1.0 / under).round();
+    if (low..=high).contains(&part) && part >= 1.0 / 65_536.0 && high / low - 1.0 < 1e-4 {
+        return part;
+    }
     let opaque = 1.0 - simplest(1.0 - high, 1.0 - low);
     let is_shorter = format!("{:e}", 1.0 - opaque).len() < format!("{under:e}").len();
     if (low..=high).contains(&opaque) && is_shorter {

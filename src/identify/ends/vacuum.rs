@@ -28,22 +28,7 @@ pub(in crate::identify) fn vacuum(
     measurer: &Measurer<'_>,
     tau: f64,
 ) -> Result<Vacuum, NotIdentified> {
-    let mut vacuum = Vacuum::default();
-    for (taus, is_whole) in [
-        (vec![0.0; 8], true),
-        (vec![tau, tau, 0.0, tau, tau, tau, tau, tau], false),
-    ] {
-        let n = taus.len().next_multiple_of(session.multiple);
-        let mut all = taus;
-        all.resize(n, if is_whole { 0.0 } else { tau });
-        let ray = session.ray(&Layers::of(0.25, &all), &[Emission::even(n, 0.5)]);
-        let finite = session.ask_any(&ray)?.iter().all(|y| y.is_finite());
-        if is_whole {
-            vacuum.whole_fails = !finite;
-        } else {
-            vacuum.part_fails = !finite;
-        }
-    }
+    let mut vacuum = failures(session, tau)?;
     if vacuum.part_fails || measurer.answers.is_coarse() {
         return Ok(vacuum);
     }
@@ -75,6 +60,32 @@ pub(in crate::identify) fn vacuum(
     if eps.abs() > 3.0 * error && eps.abs() < 1e-2 {
         vacuum.bracket = (eps - error, eps + error);
         vacuum.eps = simplest(eps - error, eps + error);
+    }
+    Ok(vacuum)
+}
+
+/// Whether rays that hold nothing, or nothing in one segment, have answers.
+pub(in crate::identify) fn failures(
+    session: &mut Session<'_>,
+    tau: f64,
+) -> Result<Vacuum, NotIdentified> {
+    let mut vacuum = Vacuum::default();
+    let n = 8_usize.next_multiple_of(session.multiple);
+    let mut gap = vec![tau; n];
+    gap[2] = 0.0;
+    for (taus, is_whole) in [(vec![0.0; n], true), (gap, false)] {
+        // Every node of the empty segment holds nothing.
+        let mut layers = Layers::of(0.25, &taus);
+        if !is_whole {
+            layers.edges[3] = 0.0;
+        }
+        let ray = session.ray(&layers, &[Emission::even(n, 0.5)]);
+        let finite = session.ask_any(&ray)?.iter().all(|y| y.is_finite());
+        if is_whole {
+            vacuum.whole_fails = !finite;
+        } else {
+            vacuum.part_fails = !finite;
+        }
     }
     Ok(vacuum)
 }

@@ -148,6 +148,16 @@ fn is_clear(points: &[Point]) -> bool {
 /// `eps` is what is added to p whatever the segment.
 pub(in crate::identify) fn laws(points: &[Point], eps: f64, answers: &Answers) -> Vec<Fitted> {
     let mut all: Vec<Fitted> = Vec::new();
+    // Noise leans to no side that is known: a parameter is known to no more than its size.
+    let points: Vec<Point> = points
+        .iter()
+        .map(|p| Point {
+            weight: noisy(p.weight, answers.noise),
+            passes: noisy(p.passes, answers.noise),
+            ..*p
+        })
+        .collect();
+    let points = points.as_slice();
     for (shape, depth, bracket) in passing(points, eps) {
         let base = Law {
             depth,
@@ -177,6 +187,13 @@ pub(in crate::identify) fn laws(points: &[Point], eps: f64, answers: &Answers) -
         shares.then(words(&u.law).cmp(&words(&v.law)))
     });
     all
+}
+
+fn noisy(m: Measured, noise: f64) -> Measured {
+    Measured {
+        error: m.error + 4.0 * noise * m.value.abs(),
+        ..m
+    }
 }
 
 /// How much is to be said of a law.

@@ -123,7 +123,9 @@ pub(super) fn law(
             Err(reason) => reasons.push(reason),
         }
     }
-    if let Some(looked_up) = table::table(session, measurer, measured)? {
+    // In narrow formats everything looks looked up.
+    let is_fine = measurer.answers.unit < 1e-6 && measurer.answers.noise < 1e-6;
+    if is_fine && let Some(looked_up) = table::table(session, measurer, measured)? {
         return Ok(looked_up);
     }
     Err(reasons

@@ -11,6 +11,8 @@ use crate::identify::session::Session;
 
 /// Ranges of depths that are looked at closely, and by how many rays.
 const SCANS: [(f64, f64, usize); 3] = [(0.0, 2.6, 6), (0.2, 0.5, 3), (0.2, 0.23, 3)];
+/// A multiple says something where it is known to so much of a step.
+const DISTINCT: f64 = 0.05;
 /// Depths of one ray.
 const AT_ONCE: usize = 18;
 /// Levels of opacities of few bits.
@@ -67,7 +69,9 @@ fn laws(scan: &[Point], measured: &Measurements) -> Vec<Law> {
     for levels in LEVELS {
         let is_multiple = |p: &Point| {
             let count = p.weight.value * levels;
-            (count - count.round()).abs() <= levels * 4.0 * p.weight.error + 1e-7
+            let within = levels * 4.0 * p.weight.error + 1e-7;
+            // Near everything else there is a multiple, too.
+            within < DISTINCT && (count - count.round()).abs() <= within
         };
         if scan.iter().all(is_multiple) {
             laws.push(with(Range {
