@@ -17,6 +17,7 @@ mod places;
 mod random;
 mod ray;
 pub mod rule;
+mod scattered;
 mod segment;
 mod session;
 mod state;
@@ -26,6 +27,7 @@ pub use finding::NotIdentified;
 pub use holdout::{HoldOut, Kind, Miss};
 pub use ray::Ray;
 pub use rule::Rule;
+pub use scattered::Scattered;
 pub use session::{Budget, Silence, Spent};
 pub use state::{Batch, Repeat, State};
 
@@ -47,6 +49,8 @@ pub struct Identification {
     pub parts: Parts,
     /// The whole rule.
     pub rule: Option<Rule>,
+    /// What a kernel that draws random numbers does.
+    pub scattered: Option<Scattered>,
     /// Between what its parameters lie.
     pub brackets: Vec<Bracket>,
     /// The rule against rays that it was not found with.
@@ -139,6 +143,7 @@ pub fn identify(
 /// What stages of one sample a segment have found.
 struct Sampled {
     rule: Rule,
+    grain: f64,
     typical: f64,
     vacuum: Vacuum,
 }
@@ -157,7 +162,8 @@ fn run(session: &mut Session<'_>, found: &mut Identification) -> Result<(), NotI
     found.parts.unit = Some(answers.unit);
     found.parts.noise = answers.noise;
     if state.seed {
-        return Err(NotIdentified::new("answers depend on the seed"));
+        found.scattered = Some(scattered::scattered(session, &answers)?);
+        return Ok(());
     }
     let even = places::even(session, &answers, false)?;
     let base = Rule {
@@ -190,6 +196,10 @@ fn run(session: &mut Session<'_>, found: &mut Identification) -> Result<(), NotI
         (false, true) => Some(VacuumFails::Ray),
         (false, false) => None,
     };
+    let answers = Answers {
+        grain: sampled.grain,
+        ..answers
+    };
     let terms = holdout::Terms {
         answers: &answers,
         typical: sampled.typical,
@@ -217,6 +227,7 @@ fn several(
     (rule.background, rule.offset) = (behind.background, behind.offset);
     Ok(Sampled {
         rule,
+        grain: 0.0,
         typical: 1.0,
         vacuum,
     })
@@ -284,7 +295,11 @@ fn one_sample(
     if behind.offset != 0.0 {
         keep(Parameter::Offset, behind.of_offset);
     }
-    match ends::last_step(session, measurer.answers, &rule, 6.0 * reference)? {
+    let answers = Answers {
+        grain: fitted.grain,
+        ..measurer.answers.clone()
+    };
+    match ends::last_step(session, &answers, &rule, 6.1 * reference)? {
         Some(with_last) => rule = with_last,
         None => found.not_identified.push(NotIdentified::new(
             "a shorter last segment counts in no known way",
@@ -293,6 +308,7 @@ fn one_sample(
     let typical = measured.reference(1.0).map_or(1.0, |r| 32.0 * r.extinction);
     Ok(Sampled {
         rule,
+        grain: fitted.grain,
         typical,
         vacuum,
     })

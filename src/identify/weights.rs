@@ -40,6 +40,8 @@ pub(super) struct Answers {
     pub(super) unit: f64,
     /// By which answers to the same question differ, relatively.
     pub(super) noise: f64,
+    /// The relative precision of what one segment lets through, where it is no better than this.
+    pub(super) grain: f64,
     /// The largest emission that counts as it is.
     pub(super) emission_max: f64,
 }
@@ -50,6 +52,7 @@ impl Default for Answers {
             output: Output::default(),
             unit: f64::EPSILON / 2.0,
             noise: 0.0,
+            grain: 0.0,
             emission_max: f64::INFINITY,
         }
     }

@@ -30,7 +30,7 @@ pub(in crate::identify) fn counts(
     let mut sequence = lone.measurer.samples.sequence;
     let place = lone.measurer.samples.place;
     let extra = sequence.extra.is_some();
-    let mut tau = visible(lone, lone.reference(0.25) / 4.0);
+    let mut tau = visible(lone, 0.27 * lone.reference(0.25));
     if let Some(stop) = rule.stop.filter(|stop| stop.by == StopBy::Weight) {
         // Thick enough that no sample ends the ray.
         let thick = lone.with_weight(8.0 * stop.under, 0.25, f64::NAN);

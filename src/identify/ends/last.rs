@@ -63,7 +63,8 @@ pub(in crate::identify) fn last_step(
             let want = straight.answers(&ray.segments, ray.step, Native::<f64>::new());
             let fits = y.iter().zip(&want).all(|(y, want)| {
                 let (got, model) = (answers.radiance(*y), answers.radiance(*want));
-                let slack = answers.relative(n) * 16.0 * model.value.abs();
+                let part = answers.relative(n) * 16.0 + answers.grain * n as f64;
+                let slack = part * model.value.abs();
                 (got.value - model.value).abs() <= 4.0 * (got.error + model.error) + slack + 1e-15
             });
             if fits {

@@ -16,6 +16,8 @@ pub(in crate::identify) struct Fitted {
     pub(in crate::identify) scale: (f64, f64),
     /// The part of the points that have it.
     pub(in crate::identify) share: f64,
+    /// The relative precision that it is followed to, where that is coarser than rounding.
+    pub(in crate::identify) grain: f64,
 }
 
 /// Points with an error of more than this part say nothing of a parameter.
@@ -177,6 +179,7 @@ pub(in crate::identify) fn laws(points: &[Point], eps: f64, answers: &Answers) -
                 factor: bracket,
                 scale: of_scale,
                 share,
+                grain: 0.0,
             });
         }
     }
@@ -347,7 +350,7 @@ pub(in crate::identify) fn has(law: &Law, point: &Point, answers: &Answers) -> b
     let (weight, passes) = law.of(&point.extinction, &point.length, &point.ray);
     let size = weight.abs().max(law.scale.0.abs());
     // An opacity by subtraction is off by a unit of 1.
-    let slack = 16.0 * answers.unit + answers.noise;
+    let slack = 16.0 * answers.unit + answers.noise + answers.grain;
     // A ray that ends in this very segment may have cut its weight.
     let ends = point.passes.value.is_nan() && point.weight.value < weight;
     let is_one = |w: f64| (w - 1.0).abs() <= 1e-9 + 64.0 * answers.unit;

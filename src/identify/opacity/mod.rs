@@ -66,6 +66,18 @@ const THICK: [(f64, &[f64]); 2] = [
     (0.25, &[0.6, 1.0, 1.5, 2.5, 4.7, 9.0]),
 ];
 
+/// Significant bits of lengths: all, or those of a narrow format.
+const NARROW: [Option<u32>; 4] = [None, Some(24), Some(11), Some(8)];
+
+/// A point with its length rounded.
+fn with_bits(point: &Point, bits: Option<u32>) -> Point {
+    let rounded = |bits: u32| rug::Float::with_val(bits, point.length).to_f64();
+    Point {
+        length: bits.map_or(point.length, rounded),
+        ..*point
+    }
+}
+
 /// Laws whose range is looked for.
 const TRIED: usize = 8;
 
@@ -115,17 +127,28 @@ pub(super) fn law(
     measured: &Measurements,
     eps: f64,
 ) -> Result<Fitted, NotIdentified> {
-    let found = laws(&measured.points, eps, measurer.answers);
     let mut reasons = Vec::new();
-    for fitted in found.iter().take(TRIED) {
-        match range::with_range(session, measurer, measured, fitted.clone()) {
-            Ok(whole) => return Ok(whole),
-            Err(reason) => reasons.push(reason),
+    let is_fine = measurer.answers.unit < 1e-9 && measurer.answers.noise < 1e-9;
+    for bits in NARROW {
+        if bits.is_some() && !is_fine {
+            break;
+        }
+        let points: Vec<Point> = measured.points.iter().map(|p| with_bits(p, bits)).collect();
+        for mut fitted in laws(&points, eps, measurer.answers).into_iter().take(TRIED) {
+            if bits.is_some() && fitted.share < 0.99 {
+                // The narrow step has to explain nearly all.
+                continue;
+            }
+            fitted.law.length_bits = bits;
+            match range::with_range(session, measurer, measured, fitted) {
+                Ok(whole) => return Ok(whole),
+                Err(reason) => reasons.push(reason),
+            }
         }
     }
     // In narrow formats everything looks looked up.
-    let is_fine = measurer.answers.unit < 1e-6 && measurer.answers.noise < 1e-6;
-    if is_fine && let Some(looked_up) = table::table(session, measurer, measured)? {
+    let is_wide = measurer.answers.unit < 1e-6 && measurer.answers.noise < 1e-6;
+    if is_wide && let Some(looked_up) = table::table(session, measurer, measured)? {
         return Ok(looked_up);
     }
     Err(reasons

@@ -8,6 +8,7 @@ use crate::identify::number::simplest;
 use crate::identify::random::Random;
 use crate::identify::rule::{Law, Range, Step, Table};
 use crate::identify::session::Session;
+use crate::identify::weights::Answers;
 
 /// Ranges of depths that are looked at closely, and by how many rays.
 const SCANS: [(f64, f64, usize); 3] = [(0.0, 2.6, 6), (0.2, 0.5, 3), (0.2, 0.23, 3)];
@@ -41,6 +42,9 @@ pub(super) fn table(
         if scan.len() < AT_ONCE {
             continue;
         }
+        if let Some(found) = by_bits(&scan, measured, measurer.answers) {
+            return Ok(Some(found));
+        }
         for law in laws(&scan, measured) {
             let explains = |p: &&Point| has(&law, p, measurer.answers);
             let all = || scan.iter().chain(&measured.points);
@@ -52,6 +56,7 @@ pub(super) fn table(
                     factor: one,
                     scale: one,
                     share: 1.0,
+                    grain: 0.0,
                 }));
             }
         }
@@ -208,6 +213,45 @@ fn breaks(scan: &[Point]) -> Vec<f64> {
         }
     }
     lattice_from(&crossings).into_iter().collect()
+}
+
+/// Precision of an exponential by the bits of a float: its mantissa has 20 bits or 23.
+const BITS_GRAIN: f64 = 4e-6;
+
+/// Lines between powers of two: the bits of a float taken for its logarithm.
+fn by_bits(scan: &[Point], measured: &Measurements, answers: &Answers) -> Option<Fitted> {
+    let ln_2 = std::f64::consts::LN_2;
+    let loose = Answers {
+        grain: BITS_GRAIN,
+        ..answers.clone()
+    };
+    // p = (1 + z + 1)/2 for −1 ≤ z < 0 and (1 + z) for 0 ≤ z < 1, z = (step − x)/ln 2: from the first point.
+    let first = scan.first()?;
+    let (x, p) = (first.extinction * first.length, first.passes.value);
+    let z = if p < 1.0 { 2.0 * p - 2.0 } else { p - 1.0 };
+    let step = x + z * ln_2;
+    let law = Law {
+        range: Range {
+            table: Some(Table {
+                step,
+                top: None,
+                between: Step::PowersOfTwo,
+            }),
+            ..Range::default()
+        },
+        ..Law::default()
+    };
+    let all = || scan.iter().chain(&measured.points);
+    // Deep ones may be clamped: they are held out later.
+    let shallow = |p: &&Point| p.extinction * p.length < 15.0;
+    let explains = |p: &Point| has(&law, p, &loose);
+    all().filter(shallow).all(explains).then(|| Fitted {
+        law,
+        factor: (1.0, 1.0),
+        scale: (1.0, 1.0),
+        share: 1.0,
+        grain: BITS_GRAIN,
+    })
 }
 
 /// The step that crossings are multiples of.
