@@ -20,6 +20,7 @@ pub mod rule;
 mod segment;
 mod session;
 mod state;
+mod stated;
 mod weights;
 
 pub use finding::NotIdentified;
@@ -28,6 +29,7 @@ pub use ray::Ray;
 pub use rule::Rule;
 pub use session::{Budget, Silence, Spent};
 pub use state::{Batch, Repeat, State};
+pub use stated::stated;
 
 use crate::kernel::Kernel;
 use ends::{Lone, Vacuum};
