@@ -57,7 +57,9 @@ impl Source {
 
     fn body(&mut self, body: &[Statement]) {
         self.depth += 1;
-        body.iter().for_each(|statement| self.statement(statement));
+        for statement in body {
+            self.statement(statement);
+        }
         self.depth -= 1;
     }
 

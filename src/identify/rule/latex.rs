@@ -2,6 +2,7 @@
 
 use super::Rule;
 use super::text::{Line, lines};
+use std::fmt::Write as _;
 
 /// What a sign is in LaTeX.
 fn sign(c: char) -> Option<&'static str> {
@@ -54,19 +55,19 @@ fn translated(formula: &str) -> String {
         }
         let words = phrase(rest);
         if !words.is_empty() {
-            out.push_str(&format!("\\text{{ {} }}", words.trim()));
+            let _ = write!(out, "\\text{{ {} }}", words.trim());
             rest = &rest[words.len()..];
             continue;
         }
         let behind = &rest[c.len_utf8()..];
         match (c, inside(behind)) {
             ('√', Some((inner, behind))) => {
-                out.push_str(&format!("\\sqrt{{{}}}", translated(inner)));
+                let _ = write!(out, "\\sqrt{{{}}}", translated(inner));
                 rest = behind;
                 continue;
             }
             ('^', Some((inner, behind))) => {
-                out.push_str(&format!("^{{{}}}", translated(inner)));
+                let _ = write!(out, "^{{{}}}", translated(inner));
                 rest = behind;
                 continue;
             }
@@ -78,7 +79,7 @@ fn translated(formula: &str) -> String {
             .take_while(|c| c.is_ascii_digit() || *c == '-')
             .collect();
         if c == 'e' && after_digit && !exponent.is_empty() {
-            out.push_str(&format!("\\cdot 10^{{{exponent}}}"));
+            let _ = write!(out, "\\cdot 10^{{{exponent}}}");
             rest = &behind[exponent.len()..];
             continue;
         }

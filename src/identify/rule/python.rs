@@ -51,7 +51,9 @@ impl Source {
     fn block(&mut self, head: &str, body: &[Statement]) {
         self.line(head);
         self.depth += 1;
-        body.iter().for_each(|statement| self.statement(statement));
+        for statement in body {
+            self.statement(statement);
+        }
         self.depth -= 1;
     }
 

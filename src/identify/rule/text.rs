@@ -6,7 +6,7 @@ mod words;
 
 use super::{Curve, Place, Rule, Scheme, Whole};
 use rug::Rational;
-use std::fmt;
+use std::fmt::{self, Write as _};
 
 /// A line of a rule's description.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -60,7 +60,7 @@ fn combination(parts: &[Rational; 3], of: [&str; 3]) -> String {
         }
         let size = Rational::from(part.abs_ref());
         if size != 1 {
-            sum.push_str(&format!("{size} "));
+            let _ = write!(sum, "{size} ");
         }
         sum.push_str(x);
     }
@@ -96,17 +96,17 @@ fn sum(rule: &Rule, light: &str, passes: &str) -> String {
         Whole::ByOpacity => text.push_str("1/(1 − T) "),
         Whole::TimesOpacity => text.push_str("(1 − T) "),
     }
-    text.push_str(&format!("Σⱼ Tⱼ {light}"));
+    let _ = write!(text, "Σⱼ Tⱼ {light}");
     if rule.background.abs() > 0.0 {
-        text.push_str(&format!(" + {} T", number(rule.background)));
+        let _ = write!(text, " + {} T", number(rule.background));
     }
     if rule.offset < 0.0 {
-        text.push_str(&format!(" − {}", number(-rule.offset)));
+        let _ = write!(text, " − {}", number(-rule.offset));
     } else if rule.offset > 0.0 {
-        text.push_str(&format!(" + {}", number(rule.offset)));
+        let _ = write!(text, " + {}", number(rule.offset));
     }
     let last = if rule.sequence.late { "k<j−1" } else { "k<j" };
-    text.push_str(&format!(",  Tⱼ = Π_{{{last}}} {passes}"));
+    let _ = write!(text, ",  Tⱼ = Π_{{{last}}} {passes}");
     let has_whole = rule.whole != Whole::One || rule.background.abs() > 0.0;
     if has_whole {
         text.push_str(",  T = the product over all");

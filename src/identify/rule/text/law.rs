@@ -53,7 +53,7 @@ pub(super) fn described(law: &Law) -> Described {
             "wⱼ Cⱼ".into()
         }
     };
-    lines.extend(range(&law.range, &law.shape));
+    lines.extend(range(&law.range, law.shape));
     if let Some(bits) = law.length_bits {
         lines.push(words(format!(
             "lengths of segments are rounded to {bits} significant bits"
@@ -198,7 +198,7 @@ impl Depth {
 }
 
 /// Where the law does not hold, line by line.
-fn range(range: &Range, of: &Shape) -> Vec<Line> {
+fn range(range: &Range, of: Shape) -> Vec<Line> {
     let mut all = Vec::new();
     let mut say = |limit: Option<f64>, text: &dyn Fn(String) -> String| {
         all.extend(limit.map(|limit| words(text(number(limit)))));
@@ -235,7 +235,7 @@ fn range(range: &Range, of: &Shape) -> Vec<Line> {
         )));
     }
     if let Some(table) = range.table {
-        all.extend(looked_up(table, *of));
+        all.extend(looked_up(table, of));
     }
     all
 }

@@ -8,7 +8,7 @@ use rug::Rational;
 const EXTINCTIONS: [&str; 3] = ["τ_f", "τ_m", "τ_b"];
 const EMISSIONS: [&str; 3] = ["C_f", "C_m", "C_b"];
 
-/// d (c₀ τ_f + c₁ τ_m + c₂ τ_b).
+/// d Σ c τ over the three places.
 fn along(parts: &[Rational; 3]) -> String {
     format!("dⱼ {}", factor(&combination(parts, EXTINCTIONS)))
 }
