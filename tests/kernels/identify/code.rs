@@ -236,6 +236,6 @@ fn in_python_a_rule_is_a_kernel() {
         data: Data::Segments(&segments),
     };
     let rendering = kernel.render(&task).unwrap();
-    let answers: Vec<f64> = rendering.radiance.iter().map(|x| x.to_f64()).collect();
+    let answers: Vec<f64> = rendering.radiance.iter().map(rug::Float::to_f64).collect();
     assert_agree(&rule, &(segments, step), &answers, &rule.python());
 }
