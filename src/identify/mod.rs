@@ -21,6 +21,7 @@ mod scattered;
 mod segment;
 mod session;
 mod state;
+mod stated;
 mod weights;
 
 pub use finding::NotIdentified;
@@ -30,6 +31,7 @@ pub use rule::Rule;
 pub use scattered::Scattered;
 pub use session::{Budget, Silence, Spent};
 pub use state::{Batch, Repeat, State};
+pub use stated::stated;
 
 use crate::kernel::Kernel;
 use ends::{Lone, Vacuum};

@@ -1,6 +1,7 @@
 //! The optical depth of a segment, as kernels have it.
 
 use crate::real::{Format, Real};
+use serde::Serialize;
 
 /// An exponent that is a multiple of one half.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash, PartialOrd, Ord)]
@@ -53,7 +54,7 @@ impl Power {
 }
 
 /// x = κ τ^a d^b D^c.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
 pub struct Depth {
     /// κ.
     pub factor: f64,

@@ -2,9 +2,10 @@
 
 use super::Depth;
 use crate::real::{Format, Real};
+use serde::Serialize;
 
 /// (w, p) of τ and d.
-#[derive(Clone, Debug, Default, PartialEq)]
+#[derive(Clone, Debug, Default, PartialEq, Serialize)]
 pub struct Law {
     /// x.
     pub depth: Depth,
@@ -27,7 +28,8 @@ pub struct Law {
 }
 
 /// How 1 − e^(−x) is computed: the same but for rounding.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash, Serialize)]
+#[serde(rename_all = "kebab-case")]
 pub enum Formula {
     /// By one exponential.
     #[default]
@@ -37,7 +39,7 @@ pub enum Formula {
 }
 
 /// A factor, 1 unless it is another.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
 pub struct Scale(pub f64);
 
 impl Default for Scale {
@@ -47,7 +49,8 @@ impl Default for Scale {
 }
 
 /// What is let through, of the depth x.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash, Serialize)]
+#[serde(rename_all = "kebab-case")]
 pub enum Shape {
     /// e^(−x).
     #[default]
@@ -119,7 +122,8 @@ impl Shape {
 }
 
 /// What the emission is multiplied by, but for the scale.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+#[serde(rename_all = "kebab-case")]
 pub enum Weight {
     /// (1 − p)^a p^b.
     Opacity {
@@ -155,7 +159,7 @@ impl Default for Weight {
 }
 
 /// Where a law does not hold, or holds otherwise.
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Serialize)]
 pub struct Range {
     /// A depth above this counts as this.
     pub depth_max: Option<f64>,
@@ -180,7 +184,7 @@ pub struct Range {
 }
 
 /// 1 − e^(−x) ≈ x − x²/2 + … up to xᴷ, where x < `below`.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
 pub struct Series {
     /// The depth.
     pub below: f64,
@@ -189,7 +193,7 @@ pub struct Series {
 }
 
 /// e^(−x) by a table over x.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
 pub struct Table {
     /// The width of its cells.
     pub step: f64,
@@ -200,7 +204,8 @@ pub struct Table {
 }
 
 /// What a table gives between its entries.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, Serialize)]
+#[serde(rename_all = "kebab-case")]
 pub enum Step {
     /// The nearest one.
     Nearest,

@@ -4,12 +4,18 @@
 //! wₖ and pₖ come from the [`Scheme`], which samples are taken from the [`Sequence`], F from [`Whole`], G from
 //! [`Output`].
 
+mod c;
 mod composed;
 mod depth;
+mod json;
+mod latex;
 mod law;
 mod output;
+mod program;
+mod python;
 mod scheme;
 mod sequence;
+mod text;
 
 pub use composed::{Composed, Node};
 pub(super) use composed::{emission, extinction};
@@ -19,9 +25,10 @@ pub use output::{Channels, Curve, Output};
 pub(super) use scheme::Three;
 pub use scheme::{Place, Scheme, Segment};
 pub use sequence::{End, Extra, LastStep, Sequence};
+use serde::Serialize;
 
 /// What a kernel computes of a ray.
-#[derive(Clone, Debug, Default, PartialEq)]
+#[derive(Clone, Debug, Default, PartialEq, Serialize)]
 pub struct Rule {
     /// What one segment adds and lets through.
     pub scheme: Scheme,
@@ -50,7 +57,7 @@ pub struct Rule {
 }
 
 /// A ray that ends before its end.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
 pub struct Stop {
     /// What is compared.
     pub by: StopBy,
@@ -66,7 +73,8 @@ pub struct Stop {
 }
 
 /// What decides that a ray ends.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, Serialize)]
+#[serde(rename_all = "kebab-case")]
 pub enum StopBy {
     /// The transmittance behind the sample.
     Transmittance,
@@ -75,7 +83,8 @@ pub enum StopBy {
 }
 
 /// What takes the place of the last segment.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+#[serde(rename_all = "kebab-case")]
 pub enum Wall {
     /// The last segment is opaque where it absorbs anything.
     Opaque,
@@ -86,7 +95,8 @@ pub enum Wall {
 }
 
 /// A factor of the radiance that depends on the whole ray.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash, Serialize)]
+#[serde(rename_all = "kebab-case")]
 pub enum Whole {
     /// 1.
     #[default]

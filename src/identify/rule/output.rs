@@ -1,9 +1,10 @@
 //! From radiance to answer.
 
 use crate::real::{Format, Real};
+use serde::Serialize;
 
 /// y = round(clip(g(x))).
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Serialize)]
 pub struct Output {
     /// g.
     pub curve: Curve,
@@ -16,7 +17,8 @@ pub struct Output {
 }
 
 /// g.
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Serialize)]
+#[serde(rename_all = "kebab-case")]
 pub enum Curve {
     /// x.
     #[default]
@@ -64,13 +66,13 @@ impl Curve {
     }
 }
 
-/// x to a power; 0 of what is not above 0.
+/// x to a power; 0 of what is below 0, and NaN of NaN.
 fn raised<R: Real>(x: R, power: &R) -> R {
     let zero = x.format().int(0);
-    if x > zero {
-        (x.ln() * power).exp()
-    } else {
+    if x <= zero {
         zero
+    } else {
+        (x.ln() * power).exp()
     }
 }
 
@@ -99,7 +101,8 @@ impl Output {
 }
 
 /// Whose answer stands where.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash, Serialize)]
+#[serde(rename_all = "kebab-case")]
 pub enum Channels {
     /// Each channel's in its own place.
     #[default]

@@ -1,7 +1,10 @@
 //! Which samples are taken, and in what order.
 
+use serde::Serialize;
+
 /// What becomes of the sample at an end.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash, Serialize)]
+#[serde(rename_all = "kebab-case")]
 pub enum End {
     /// It counts once.
     #[default]
@@ -13,7 +16,8 @@ pub enum End {
 }
 
 /// How long the segment is that one sample too many stands for.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, Serialize)]
+#[serde(rename_all = "kebab-case")]
 pub enum Extra {
     /// The step.
     Step,
@@ -22,7 +26,8 @@ pub enum Extra {
 }
 
 /// What is done with a last segment that is shorter than the others.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash, Serialize)]
+#[serde(rename_all = "kebab-case")]
 pub enum LastStep {
     /// It has its own length.
     #[default]
@@ -36,7 +41,7 @@ pub enum LastStep {
 }
 
 /// The samples of n segments, by index, in the order in which they are taken.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, Serialize)]
 pub struct Sequence {
     /// Of the first one.
     pub first: End,
