@@ -1,8 +1,9 @@
 //! A rule against rays that it was not found with.
 
+use super::pose::{Steps, at, plain};
 use super::random::Random;
 use super::ray::{Emission, Layers, Ray};
-use super::rule::{Rule, Whole};
+use super::rule::{Lattice, Rule, Whole};
 use super::session::{Session, Silence};
 use super::weights::Answers;
 use crate::kernel::Segments;
@@ -380,7 +381,14 @@ fn judge(
     misses: &mut Vec<Miss>,
 ) {
     let mut agrees = true;
-    for (channel, compared) in compare(rule, terms.answers, &ray.segments, ray.step, got)
+    let cut = rule.lattice.map(|lattice| of_lattice(&lattice, ray));
+    let (segments, step) = cut
+        .as_ref()
+        .map_or((&ray.segments, ray.step), |(segments, step)| {
+            (segments, *step)
+        });
+    let rounded = of_places(rule, terms.answers, segments.count());
+    for (channel, compared) in compare(rule, &rounded, segments, step, got)
         .into_iter()
         .enumerate()
     {
@@ -396,6 +404,25 @@ fn judge(
         }
     }
     kind.agree += usize::from(agrees);
+}
+
+/// A place that a kernel works out is off by rounding, and a value there by as much times the medium's slope.
+fn of_places(rule: &Rule, answers: &Answers, n: usize) -> Answers {
+    let slope = match rule.lattice {
+        Some(_) => 1.0 + 4.0 * n as f64,
+        None => 1.0,
+    };
+    Answers {
+        unit: answers.unit * slope,
+        ..answers.clone()
+    }
+}
+
+/// A ray as a kernel cuts it that samples elsewhere than at ends and middles.
+fn of_lattice(lattice: &Lattice, ray: &Ray) -> (Segments, f64) {
+    let knots = plain(ray);
+    let at = |lambda: f64, emission: &mut [f64]| at(&knots, lambda, emission);
+    lattice.cut(&Steps::of(ray), at, ray.channels.len())
 }
 
 /// An answer beside the rule's.

@@ -8,18 +8,22 @@
 mod channels;
 mod ends;
 mod finding;
+mod free_places;
 mod holdout;
 mod influence;
+mod least_squares;
 mod number;
 mod opacity;
 mod output;
 mod places;
+mod pose;
 mod random;
 mod ray;
 pub mod rule;
 mod segment;
 mod session;
 mod state;
+mod volume;
 mod weights;
 
 pub use finding::NotIdentified;
@@ -28,13 +32,15 @@ pub use ray::Ray;
 pub use rule::Rule;
 pub use session::{Budget, Silence, Spent};
 pub use state::{Batch, Repeat, State};
+pub use volume::{Lookup, Optics};
 
-use crate::kernel::Kernel;
+use crate::kernel::{FormKind, Kernel};
 use ends::{Lone, Vacuum};
 use influence::Influence;
 use opacity::measure::Measurer;
 use places::{Places, Samples};
-use rule::{Law, Place, Range, Scheme, Sequence, Wall, Whole};
+use pose::Known;
+use rule::{Lattice, Law, Place, Range, Scheme, Sequence, Wall, Whole};
 use session::Session;
 use weights::Answers;
 
@@ -47,6 +53,8 @@ pub struct Identification {
     pub parts: Parts,
     /// The whole rule.
     pub rule: Option<Rule>,
+    /// What a kernel reads of a volume, to which the rule is applied as to middles of segments.
+    pub optics: Option<Optics>,
     /// Between what its parameters lie.
     pub brackets: Vec<Bracket>,
     /// The rule against rays that it was not found with.
@@ -159,10 +167,14 @@ fn run(session: &mut Session<'_>, found: &mut Identification) -> Result<(), NotI
     if state.seed {
         return Err(NotIdentified::new("answers depend on the seed"));
     }
+    let poses = pose::Pose::new(session.pose.form);
+    let divides = session.divides;
+    let lean = lean | look(session, &answers, found)?;
     let even = places::even(session, &answers, false)?;
     let base = Rule {
         emission_max: mapped.emission_max,
         emission_min: mapped.emission_min,
+        lattice: session.pose.lattice(),
         output: answers.output,
         channels,
         ..Rule::default()
@@ -197,9 +209,44 @@ fn run(session: &mut Session<'_>, found: &mut Identification) -> Result<(), NotI
         negative: mapped.takes_negative,
         lean,
     };
-    found.hold_out = holdout::hold_out(session, &sampled.rule, &terms)?;
+    // What was found out is tried on rays that know nothing of it.
+    (session.pose, session.divides) = (poses, divides);
+    found.hold_out = match &found.optics {
+        Some(optics) => volume::hold_out(session, &sampled.rule, optics, &terms)?,
+        None => holdout::hold_out(session, &sampled.rule, &terms)?,
+    };
     found.rule = Some(sampled.rule);
     Ok(())
+}
+
+/// Where a kernel looks that may look anywhere; rays are made for these places from then on. Whether it takes so many
+/// samples only.
+fn look(
+    session: &mut Session<'_>,
+    answers: &Answers,
+    found: &mut Identification,
+) -> Result<bool, NotIdentified> {
+    let lattice = match session.pose.form {
+        FormKind::Segments => return Ok(false),
+        FormKind::Volume => {
+            let optics = volume::optics(session, answers)?;
+            session.pose.places = Known::Volume(optics);
+            found.optics = Some(optics);
+            optics.lattice
+        }
+        FormKind::Formula(_) | FormKind::Function => match free_places::places(session, answers)? {
+            free_places::Places::Nodes => return Ok(false),
+            free_places::Places::Lattice(lattice) => {
+                session.pose.places = Known::Lattice(lattice);
+                lattice
+            }
+        },
+    };
+    let Lattice::Even { count, .. } = lattice else {
+        return Ok(false);
+    };
+    session.divides = true;
+    Ok(count.each == 0)
 }
 
 /// The rule of segments with several values.

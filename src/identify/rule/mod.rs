@@ -6,6 +6,7 @@
 
 mod composed;
 mod depth;
+mod lattice;
 mod law;
 mod output;
 mod scheme;
@@ -14,6 +15,7 @@ mod sequence;
 pub use composed::{Composed, Node};
 pub(super) use composed::{emission, extinction};
 pub use depth::{Depth, Power};
+pub use lattice::{Along, Count, Lattice};
 pub use law::{Formula, Law, Range, Scale, Series, Shape, Step, Table, Weight};
 pub use output::{Channels, Curve, Output};
 pub(super) use scheme::Three;
@@ -25,6 +27,9 @@ pub use sequence::{End, Extra, LastStep, Sequence};
 pub struct Rule {
     /// What one segment adds and lets through.
     pub scheme: Scheme,
+    /// Where samples lie, where they lie at no ends or middles of segments: the rule is that of the middles of segments
+    /// between which such a kernel's samples lie.
+    pub lattice: Option<Lattice>,
     /// Which segments are taken, in what order.
     pub sequence: Sequence,
     /// Where the ray ends before its end.

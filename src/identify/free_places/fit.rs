@@ -1,0 +1,152 @@
+//! Evenly spaced samples by the places that were seen.
+
+use super::Seen;
+use crate::identify::least_squares::solve;
+use crate::identify::number::simplest;
+use crate::identify::rule::{Along, Count, Lattice};
+
+/// Coefficients are known to this part of a segment or a ray, and taken for the simplest number that close.
+const NEAR: f64 = 1e-11;
+
+/// Samples that are evenly spaced, but perhaps the last.
+struct Row {
+    n: usize,
+    step: f64,
+    length: f64,
+    count: usize,
+    first: f64,
+    /// From one to the next; `None` of one sample.
+    spacing: Option<f64>,
+}
+
+/// The lattice that explains all that was seen.
+pub(super) fn lattice(all: &[Seen]) -> Option<Lattice> {
+    let rows: Option<Vec<Row>> = all.iter().map(row).collect();
+    let rows = rows?;
+    let mut candidates = steps(&rows);
+    if let Some(count) = count(&rows) {
+        candidates.extend(even(&rows, count));
+    }
+    candidates
+        .into_iter()
+        .find(|lattice| all.iter().all(|seen| explains(lattice, seen)))
+}
+
+fn row(seen: &Seen) -> Option<Row> {
+    let at: Vec<f64> = seen.samples.iter().map(|(at, _)| *at).collect();
+    let first = *at.first()?;
+    // The last one may have another place.
+    let inner = if at.len() > 2 { at.len() - 1 } else { at.len() };
+    let spacing = (inner > 1).then(|| (at[inner - 1] - first) / (inner as f64 - 1.0));
+    if let Some(h) = spacing {
+        let is_even = |(k, at): (usize, &f64)| {
+            let want = first + k as f64 * h;
+            (at - want).abs() <= 4.0 * seen.tolerance
+        };
+        if !at[..inner].iter().enumerate().all(is_even) {
+            return None;
+        }
+    }
+    Some(Row {
+        n: seen.steps.segments,
+        step: seen.steps.step,
+        length: seen.steps.length,
+        count: at.len(),
+        first,
+        spacing,
+    })
+}
+
+/// Whether all samples lie where the lattice has some; one without weight is missing, and later stages see which.
+fn explains(lattice: &Lattice, seen: &Seen) -> bool {
+    let (places, _) = lattice.places(&seen.steps);
+    let slack = 4.0 * seen.tolerance + NEAR * seen.steps.length;
+    // Behind the ray the medium is that at its end.
+    let seen_from = |place: f64| place.clamp(0.0, seen.steps.length);
+    let mut left = places.iter();
+    seen.samples
+        .iter()
+        .all(|(at, _)| left.any(|place| (seen_from(*place) - at).abs() <= slack))
+}
+
+/// Steps as they were asked for, and n parts of the ray; where the first sample is missing, the place is that of the
+/// second.
+fn steps(rows: &[Row]) -> Vec<Lattice> {
+    let Some(first) = rows.iter().find(|r| r.spacing.is_some()) else {
+        return Vec::new();
+    };
+    let place = first.first / first.step;
+    let place = simplest(place - NEAR, place + NEAR);
+    let places = [Some(place), (place >= 1.0).then_some(place - 1.0)];
+    let of = |place: f64| {
+        let whole = |own_last| Lattice::Steps { place, own_last };
+        [whole(true), whole(false), Lattice::even(place)]
+    };
+    places.into_iter().flatten().flat_map(of).collect()
+}
+
+/// N = q n + c.
+fn count(rows: &[Row]) -> Option<Count> {
+    let (least, most) = (
+        rows.iter().min_by_key(|row| row.n)?,
+        rows.iter().max_by_key(|row| row.n)?,
+    );
+    let signed = |x: usize| i64::try_from(x).ok();
+    let across = signed(most.n)? - signed(least.n)?;
+    let rise = signed(most.count)? - signed(least.count)?;
+    if across == 0 || rise % across != 0 || rise < 0 {
+        return None;
+    }
+    let each = rise / across;
+    let count = Count {
+        each: u64::try_from(each).ok()?,
+        more: signed(most.count)? - each * signed(most.n)?,
+    };
+    rows.iter()
+        .all(|row| count.of(row.n) == row.count)
+        .then_some(count)
+}
+
+/// Even parts between two places, those with the fewest shifts first.
+fn even(rows: &[Row], count: Count) -> Vec<Lattice> {
+    let spaced: Vec<(&Row, f64)> = rows
+        .iter()
+        .filter_map(|row| row.spacing.map(|h| (row, h)))
+        .collect();
+    let mut found = Vec::new();
+    // The first sample at a h + p D + ℓ, with as few of these as it takes.
+    for used in [
+        [true, false, false],
+        [true, true, false],
+        [true, false, true],
+        [true, true, true],
+        [false, true, true],
+    ] {
+        let of_row = |(row, h): &(&Row, f64)| [*h, row.length, 1.0];
+        let first = solve(&spaced, used, &of_row, &|(row, _)| row.first);
+        let Some([a, p, l]) = first else { continue };
+        let place = simplest(a - NEAR, a + NEAR);
+        let start = Along {
+            part: simplest(p - NEAR, p + NEAR),
+            length: simplest(l - NEAR, l + NEAR),
+        };
+        // Its end by the spacing: A + N h.
+        let end = |(row, h): &(&Row, f64)| start.on(row.length) + row.count as f64 * h;
+        for used in [[false, true, false], [false, true, true]] {
+            let Some([_, p, l]) = solve(&spaced, used, &of_row, &end) else {
+                continue;
+            };
+            let end = Along {
+                part: simplest(p - NEAR, p + NEAR),
+                length: simplest(l - NEAR, l + NEAR),
+            };
+            found.push(Lattice::Even {
+                place,
+                start,
+                end,
+                count,
+            });
+        }
+    }
+    found
+}
