@@ -204,6 +204,9 @@ const MAKES: [Make; 15] = [
     },
 ];
 
+/// The optical depth of thick rays.
+const SLOPE: f64 = 40.0;
+
 /// What is held out, beside the rule.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Terms<'a> {
@@ -387,7 +390,7 @@ fn judge(
         .map_or((&ray.segments, ray.step), |(segments, step)| {
             (segments, *step)
         });
-    let rounded = of_places(rule, terms.answers, segments.count());
+    let rounded = of_places(rule, terms.answers);
     for (channel, compared) in compare(rule, &rounded, segments, step, got)
         .into_iter()
         .enumerate()
@@ -406,14 +409,11 @@ fn judge(
     kind.agree += usize::from(agrees);
 }
 
-/// A place that a kernel works out is off by rounding, and a value there by as much times the medium's slope.
-fn of_places(rule: &Rule, answers: &Answers, n: usize) -> Answers {
-    let slope = match rule.lattice {
-        Some(_) => 1.0 + 4.0 * n as f64,
-        None => 1.0,
-    };
+/// A place that a kernel works out is off by rounding, and values there by as much times the medium's slope, which adds up
+/// to a unit times the optical depth times n.
+fn of_places(rule: &Rule, answers: &Answers) -> Answers {
     Answers {
-        unit: answers.unit * slope,
+        unit: answers.unit * if rule.lattice.is_some() { SLOPE } else { 1.0 },
         ..answers.clone()
     }
 }

@@ -5,8 +5,8 @@ use crate::identify::least_squares::solve;
 use crate::identify::number::simplest;
 use crate::identify::rule::{Along, Count, Lattice};
 
-/// Coefficients are known to this part of a segment or a ray, and taken for the simplest number that close.
-const NEAR: f64 = 1e-11;
+/// Coefficients are known no better than to this part of a segment or a ray.
+const NEAREST: f64 = 1e-11;
 
 /// Samples that are evenly spaced, but perhaps the last.
 struct Row {
@@ -21,15 +21,29 @@ struct Row {
 
 /// The lattice that explains all that was seen.
 pub(super) fn lattice(all: &[Seen]) -> Option<Lattice> {
-    let rows: Option<Vec<Row>> = all.iter().map(row).collect();
+    let lit = all.iter().filter(|seen| !seen.samples.is_empty());
+    let rows: Option<Vec<Row>> = lit.map(row).collect();
     let rows = rows?;
-    let mut candidates = steps(&rows);
+    let off = all.iter().map(|seen| seen.tolerance / seen.steps.step);
+    let near = Near(off.fold(NEAREST, f64::max));
+    let mut candidates = steps(&rows, near);
     if let Some(count) = count(&rows) {
-        candidates.extend(even(&rows, count));
+        candidates.extend(even(&rows, count, near));
     }
     candidates
         .into_iter()
         .find(|lattice| all.iter().all(|seen| explains(lattice, seen)))
+}
+
+/// How well coefficients are known.
+#[derive(Clone, Copy)]
+struct Near(f64);
+
+impl Near {
+    /// The simplest number that close.
+    fn to(self, x: f64) -> f64 {
+        simplest(x - self.0, x + self.0)
+    }
 }
 
 fn row(seen: &Seen) -> Option<Row> {
@@ -60,7 +74,7 @@ fn row(seen: &Seen) -> Option<Row> {
 /// Whether all samples lie where the lattice has some; one without weight is missing, and later stages see which.
 fn explains(lattice: &Lattice, seen: &Seen) -> bool {
     let (places, _) = lattice.places(&seen.steps);
-    let slack = 4.0 * seen.tolerance + NEAR * seen.steps.length;
+    let slack = 4.0 * seen.tolerance + NEAREST * seen.steps.length;
     // Behind the ray the medium is that at its end.
     let seen_from = |place: f64| place.clamp(0.0, seen.steps.length);
     let mut left = places.iter();
@@ -71,12 +85,12 @@ fn explains(lattice: &Lattice, seen: &Seen) -> bool {
 
 /// Steps as they were asked for, and n parts of the ray; where the first sample is missing, the place is that of the
 /// second.
-fn steps(rows: &[Row]) -> Vec<Lattice> {
+fn steps(rows: &[Row], near: Near) -> Vec<Lattice> {
     let Some(first) = rows.iter().find(|r| r.spacing.is_some()) else {
         return Vec::new();
     };
     let place = first.first / first.step;
-    let place = simplest(place - NEAR, place + NEAR);
+    let place = near.to(place);
     let places = [Some(place), (place >= 1.0).then_some(place - 1.0)];
     let of = |place: f64| {
         let whole = |own_last| Lattice::Steps { place, own_last };
@@ -108,7 +122,7 @@ fn count(rows: &[Row]) -> Option<Count> {
 }
 
 /// Even parts between two places, those with the fewest shifts first.
-fn even(rows: &[Row], count: Count) -> Vec<Lattice> {
+fn even(rows: &[Row], count: Count, near: Near) -> Vec<Lattice> {
     let spaced: Vec<(&Row, f64)> = rows
         .iter()
         .filter_map(|row| row.spacing.map(|h| (row, h)))
@@ -125,10 +139,10 @@ fn even(rows: &[Row], count: Count) -> Vec<Lattice> {
         let of_row = |(row, h): &(&Row, f64)| [*h, row.length, 1.0];
         let first = solve(&spaced, used, &of_row, &|(row, _)| row.first);
         let Some([a, p, l]) = first else { continue };
-        let place = simplest(a - NEAR, a + NEAR);
+        let place = near.to(a);
         let start = Along {
-            part: simplest(p - NEAR, p + NEAR),
-            length: simplest(l - NEAR, l + NEAR),
+            part: near.to(p),
+            length: near.to(l),
         };
         // Its end by the spacing: A + N h.
         let end = |(row, h): &(&Row, f64)| start.on(row.length) + row.count as f64 * h;
@@ -137,8 +151,8 @@ fn even(rows: &[Row], count: Count) -> Vec<Lattice> {
                 continue;
             };
             let end = Along {
-                part: simplest(p - NEAR, p + NEAR),
-                length: simplest(l - NEAR, l + NEAR),
+                part: near.to(p),
+                length: near.to(l),
             };
             found.push(Lattice::Even {
                 place,

@@ -2,6 +2,7 @@
 
 use crate::identify::pose::Steps;
 use crate::kernel::{Samples, Segments};
+use std::fmt;
 
 /// Where a kernel samples that looks wherever it likes: λₖ of the samples k = 0, 1, …, N − 1.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -178,5 +179,100 @@ impl Lattice {
             lambda: edges,
         };
         (Segments { edges, middles }, step)
+    }
+}
+
+/// x as a term behind another.
+pub(in crate::identify) fn plus(f: &mut fmt::Formatter<'_>, x: f64) -> fmt::Result {
+    if x > 0.0 {
+        write!(f, " + {x}")
+    } else if x < 0.0 {
+        write!(f, " − {}", -x)
+    } else {
+        Ok(())
+    }
+}
+
+/// Whether they are the same number.
+fn is(x: f64, y: f64) -> bool {
+    (x - y).abs() <= 0.0
+}
+
+impl fmt::Display for Along {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let Along { part, length } = *self;
+        if is(part, 0.0) {
+            return write!(f, "{length}");
+        }
+        if is(part, 1.0) {
+            f.write_str("D")?;
+        } else {
+            write!(f, "{part} D")?;
+        }
+        plus(f, length)
+    }
+}
+
+impl fmt::Display for Count {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match (self.each, self.more) {
+            (0, more) => return write!(f, "{more}"),
+            (1, _) => f.write_str("n")?,
+            (each, _) => write!(f, "{each} n")?,
+        }
+        match self.more {
+            0 => Ok(()),
+            more if more > 0 => write!(f, " + {more}"),
+            more => write!(f, " − {}", more.unsigned_abs()),
+        }
+    }
+}
+
+/// As a formula.
+impl fmt::Display for Lattice {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let sample = |f: &mut fmt::Formatter<'_>, place: f64| {
+            if is(place, 0.0) {
+                return f.write_str("k");
+            }
+            f.write_str("(k")?;
+            plus(f, place)?;
+            f.write_str(")")
+        };
+        match *self {
+            Lattice::Steps { place, own_last } => {
+                f.write_str("λₖ = ")?;
+                sample(f, place)?;
+                f.write_str(" d")?;
+                f.write_str(if own_last {
+                    ", in a shorter last segment at the same part of its own length"
+                } else {
+                    ", at most D"
+                })
+            }
+            Lattice::Even {
+                place,
+                start,
+                end,
+                count,
+            } => {
+                f.write_str("λₖ = ")?;
+                if start != Along::default() {
+                    write!(f, "{start} + ")?;
+                }
+                sample(f, place)?;
+                f.write_str(" h, ")?;
+                match start == Along::default() {
+                    true if is(end.length, 0.0) => write!(f, "h = {end}/")?,
+                    true => write!(f, "h = ({end})/")?,
+                    false => write!(f, "h = ({end} − ({start}))/")?,
+                }
+                if count.each > 0 && count.more != 0 || count.each > 1 {
+                    write!(f, "({count})")
+                } else {
+                    write!(f, "{count}")
+                }
+            }
+        }
     }
 }

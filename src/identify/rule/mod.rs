@@ -15,6 +15,7 @@ mod sequence;
 pub use composed::{Composed, Node};
 pub(super) use composed::{emission, extinction};
 pub use depth::{Depth, Power};
+pub(super) use lattice::plus;
 pub use lattice::{Along, Count, Lattice};
 pub use law::{Formula, Law, Range, Scale, Series, Shape, Step, Table, Weight};
 pub use output::{Channels, Curve, Output};

@@ -58,7 +58,7 @@ pub(super) fn optics(
         }
         all.push(seen(session, answers, volume)?);
     }
-    fit::optics(&all).ok_or_else(|| {
+    fit::optics(&all, answers.unit).ok_or_else(|| {
         let rows = all.iter().flat_map(|seen| {
             let start = [
                 seen.steps.segments as f64,

@@ -2,8 +2,9 @@
 
 use crate::identify::pose::{Steps, at, hats, plain};
 use crate::identify::ray::Ray;
-use crate::identify::rule::{Along, Lattice};
+use crate::identify::rule::{Along, Lattice, plus};
 use crate::kernel::{Segments, Table, Volume};
+use std::fmt;
 
 /// What is taken between two values.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
@@ -233,5 +234,36 @@ pub(super) fn lit_entries(length: f64, count: usize, extinction: f64, bright: f6
         last: length,
         extinction: knots.extinction,
         emission: knots.emission,
+    }
+}
+
+impl fmt::Display for Lookup {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.pad(match self {
+            Lookup::Linear => "linear",
+            Lookup::Nearest => "nearest",
+            Lookup::Below => "the one before",
+        })
+    }
+}
+
+/// As formulas.
+impl fmt::Display for Optics {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let [begin, end] = self.cells;
+        write!(f, "{}", self.lattice)?;
+        if begin.abs() > 0.0 || end.abs() > 0.0 {
+            write!(f, ", from {begin} to {end} cells behind these ends")?;
+        }
+        write!(f, "; grid {}; table {}", self.field, self.table)?;
+        f.write_str(", entry (s − first)/(last − first) ")?;
+        if (self.intervals - 1.0).abs() > 0.0 {
+            f.write_str("(E")?;
+            plus(f, self.intervals - 1.0)?;
+            f.write_str(")")?;
+        } else {
+            f.write_str("E")?;
+        }
+        plus(f, self.shift)
     }
 }

@@ -1,0 +1,3 @@
+//! What a kernel computes, read off by probes.
+
+mod forms;
