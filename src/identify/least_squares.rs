@@ -1,13 +1,13 @@
-//! Three unknowns by least squares.
+//! A few unknowns by least squares.
 
-/// Least squares over the columns that are used; the others are 0.
-pub(super) fn solve<T>(
+/// Over the columns that are used; the others are 0. `None` where they do not tell all of these.
+pub(super) fn solve<T, const N: usize>(
     rows: &[T],
-    used: [bool; 3],
-    columns: &dyn Fn(&T) -> [f64; 3],
+    used: [bool; N],
+    columns: &dyn Fn(&T) -> [f64; N],
     right: &dyn Fn(&T) -> f64,
-) -> Option<[f64; 3]> {
-    let at: Vec<usize> = (0..3).filter(|k| used[*k]).collect();
+) -> Option<[f64; N]> {
+    let at: Vec<usize> = (0..N).filter(|k| used[*k]).collect();
     let size = at.len();
     let mut matrix = vec![vec![0.0; size + 1]; size];
     for row in rows {
@@ -24,24 +24,24 @@ pub(super) fn solve<T>(
         matrix.swap(i, pivot);
         let scale = matrix[i][i];
         // Columns that say the same leave nothing to tell them by.
-        if !(scale.abs() > 1e-9) {
+        if scale.abs() <= SINGULAR || scale.is_nan() {
             return None;
         }
-        for j in i..=size {
-            matrix[i][j] /= scale;
-        }
-        for k in 0..size {
-            let by = matrix[k][i];
+        matrix[i].iter_mut().for_each(|x| *x /= scale);
+        let own = matrix[i].clone();
+        for (k, row) in matrix.iter_mut().enumerate() {
+            let by = row[i];
             if k != i {
-                for j in i..=size {
-                    matrix[k][j] -= by * matrix[i][j];
-                }
+                row.iter_mut().zip(&own).for_each(|(x, own)| *x -= by * own);
             }
         }
     }
-    let mut solution = [0.0; 3];
+    let mut solution = [0.0; N];
     for (i, k) in at.iter().enumerate() {
         solution[*k] = matrix[i][size];
     }
     Some(solution)
 }
+
+/// A pivot under this is none.
+const SINGULAR: f64 = 1e-9;

@@ -246,6 +246,9 @@ fn look(
         return Ok(false);
     };
     session.divides = true;
+    if count.each == 0 {
+        session.most_samples = count.of(1);
+    }
     Ok(count.each == 0)
 }
 

@@ -69,6 +69,9 @@ pub enum Silence {
     },
 }
 
+/// The answers of channels, where they stand, and the opacity.
+pub(super) type Answer = (Vec<f64>, Option<f64>);
+
 /// A conversation with a kernel.
 pub(super) struct Session<'k> {
     kernel: &'k mut dyn Kernel,
@@ -85,6 +88,8 @@ pub(super) struct Session<'k> {
     pub(super) divides: bool,
     /// The opacity that came with the last answer.
     pub(super) opacity: Option<f64>,
+    /// The most samples that a ray may be made for.
+    pub(super) most_samples: usize,
     /// In what form it is asked.
     pub(super) pose: Pose,
     names: u64,
@@ -111,6 +116,7 @@ impl<'k> Session<'k> {
             multiple,
             divides,
             opacity: None,
+            most_samples: usize::MAX,
             pose,
             names: 0,
             heard,
@@ -156,12 +162,12 @@ impl<'k> Session<'k> {
     }
 
     /// One ray as it is: the answers of its channels, where they stand, and the opacity.
-    pub(super) fn once(&mut self, ray: &Ray) -> Result<(Vec<f64>, Option<f64>), Silence> {
+    pub(super) fn once(&mut self, ray: &Ray) -> Result<Answer, Silence> {
         let posed = self.pose.of(ray)?;
         self.put(&posed)
     }
 
-    fn put(&mut self, posed: &Posed<'_>) -> Result<(Vec<f64>, Option<f64>), Silence> {
+    fn put(&mut self, posed: &Posed<'_>) -> Result<Answer, Silence> {
         let task = posed.task();
         self.count(usize::try_from(task.segments).unwrap_or(usize::MAX))?;
         let answer = self.kernel.render(&task);
@@ -169,10 +175,7 @@ impl<'k> Session<'k> {
     }
 
     /// Several rays in one request.
-    pub(super) fn together(
-        &mut self,
-        rays: &[Ray],
-    ) -> Vec<Result<(Vec<f64>, Option<f64>), Silence>> {
+    pub(super) fn together(&mut self, rays: &[Ray]) -> Vec<Result<Answer, Silence>> {
         let mut posed = Vec::with_capacity(rays.len());
         for ray in rays {
             match self
@@ -193,7 +196,7 @@ impl<'k> Session<'k> {
         &mut self,
         task: &Task<'_>,
         answer: Result<Rendering, KernelError>,
-    ) -> Result<(Vec<f64>, Option<f64>), Silence> {
+    ) -> Result<Answer, Silence> {
         let segments = usize::try_from(task.segments).unwrap_or(usize::MAX);
         let wanted = task.subject.channels().len();
         let checked = answer.and_then(|answer| {
@@ -255,7 +258,7 @@ impl<'k> Session<'k> {
     fn in_parts(
         &mut self,
         count: usize,
-        mut once: impl FnMut(&mut Self, Range<usize>) -> Result<(Vec<f64>, Option<f64>), Silence>,
+        mut once: impl FnMut(&mut Self, Range<usize>) -> Result<Answer, Silence>,
     ) -> Result<Vec<f64>, Silence> {
         let most = self.budget.channels;
         let mut answers = Vec::with_capacity(count);

@@ -27,7 +27,8 @@ pub(super) fn lattice(all: &[Seen]) -> Option<Lattice> {
     let off = all.iter().map(|seen| seen.tolerance / seen.steps.step);
     let near = Near(off.fold(NEAREST, f64::max));
     let mut candidates = steps(&rows, near);
-    if let Some(count) = count(&rows) {
+    let counts: Vec<(usize, usize)> = rows.iter().map(|row| (row.n, row.count)).collect();
+    if let Some(count) = count(&counts) {
         candidates.extend(even(&rows, count, near));
     }
     candidates
@@ -91,7 +92,10 @@ fn steps(rows: &[Row], near: Near) -> Vec<Lattice> {
     };
     let place = first.first / first.step;
     let place = near.to(place);
-    let places = [Some(place), (place >= 1.0).then_some(place - 1.0)];
+    let places = [
+        (place > 1.0 + near.0).then(|| near.to(place - 1.0)),
+        Some(place),
+    ];
     let of = |place: f64| {
         let whole = |own_last| Lattice::Steps { place, own_last };
         [whole(true), whole(false), Lattice::even(place)]
@@ -99,25 +103,22 @@ fn steps(rows: &[Row], near: Near) -> Vec<Lattice> {
     places.into_iter().flatten().flat_map(of).collect()
 }
 
-/// N = q n + c.
-fn count(rows: &[Row]) -> Option<Count> {
-    let (least, most) = (
-        rows.iter().min_by_key(|row| row.n)?,
-        rows.iter().max_by_key(|row| row.n)?,
-    );
+/// N = q n + c of (n, N).
+pub(in crate::identify) fn count(rows: &[(usize, usize)]) -> Option<Count> {
+    let (least, most) = (rows.iter().min()?, rows.iter().max()?);
     let signed = |x: usize| i64::try_from(x).ok();
-    let across = signed(most.n)? - signed(least.n)?;
-    let rise = signed(most.count)? - signed(least.count)?;
+    let across = signed(most.0)? - signed(least.0)?;
+    let rise = signed(most.1)? - signed(least.1)?;
     if across == 0 || rise % across != 0 || rise < 0 {
         return None;
     }
     let each = rise / across;
     let count = Count {
         each: u64::try_from(each).ok()?,
-        more: signed(most.count)? - each * signed(most.n)?,
+        more: signed(most.1)? - each * signed(most.0)?,
     };
     rows.iter()
-        .all(|row| count.of(row.n) == row.count)
+        .all(|(n, samples)| count.of(*n) == *samples)
         .then_some(count)
 }
 

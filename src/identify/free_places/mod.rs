@@ -3,6 +3,7 @@
 mod fit;
 mod lit;
 
+pub(super) use fit::count;
 pub(super) use lit::lit;
 
 use super::NotIdentified;
@@ -106,7 +107,7 @@ fn seen(
         if *finest + 1 == HATS.len() {
             let dark = y.first().copied().unwrap_or(0.0);
             let rows = y.iter().skip(1).enumerate();
-            let rows = rows.filter(|(_, y)| **y != dark);
+            let rows = rows.filter(|(_, y)| (**y - dark).abs() > 0.0);
             return Err(NotIdentified::new(format!(
                 "samples stand too close to be told apart on a ray of {} segments",
                 steps.segments

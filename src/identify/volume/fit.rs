@@ -2,9 +2,10 @@
 
 use super::Seen;
 use super::optics::{Lookup, Optics};
+use crate::identify::free_places::count;
 use crate::identify::least_squares::solve;
 use crate::identify::number::simplest;
-use crate::identify::rule::Lattice;
+use crate::identify::rule::{Along, Lattice};
 
 /// By how much places among entries are off in the format of the answers, and coefficients.
 #[derive(Clone, Copy)]
@@ -47,73 +48,104 @@ fn lattices(place: f64) -> [Lattice; 3] {
     [whole(true), whole(false), Lattice::even(place)]
 }
 
-/// Lines between grid points and between entries: with x the place of sample k among E entries on m cells and n segments,
-/// x = (E − 1 + e) (c/m + (k + a)(1 + g/m)/n) + b.
+/// A ray on which places are seen that no end is near.
+struct Row {
+    /// 1/m.
+    cell: f64,
+    /// N.
+    samples: f64,
+    /// E − 1.
+    intervals: f64,
+    /// Where the first would lie, by the others.
+    first: f64,
+    spacing: f64,
+}
+
+/// Entries more than E − 1 that a table may be taken to have.
+const INTERVALS: [f64; 3] = [0.0, 1.0, -1.0];
+/// Which of a, b, c and s are not 0, the fewest first.
+const USED: [[bool; 4]; 6] = [
+    [true, false, false, false],
+    [true, true, false, false],
+    [true, false, true, false],
+    [true, true, true, false],
+    [true, false, false, true],
+    [true, true, false, true],
+];
+
+/// Lines between grid points and between entries: with x the place of sample k of N among E entries, on m cells,
+/// x = (E − 1 + e) (s + c/m + (k + a)(f + g/m)/N) + b, f D long and g cells longer.
 fn between(all: &[Seen], off: f64) -> Vec<Optics> {
-    // (1/m, n, E − 1, first, spacing) by the samples that no end is near.
-    let rows: Vec<[f64; 5]> = all.iter().filter_map(inside).collect();
-    let Some((first, other)) = rows.first().and_then(|first| {
-        let same = |row: &&[f64; 5]| row[2] == first[2] && row[0] != first[0];
-        Some((first, rows.iter().find(same)?))
-    }) else {
+    let rows: Vec<Row> = all.iter().filter_map(inside).collect();
+    let counts = all.iter().map(|s| (s.steps.segments, s.entries.len()));
+    let Some(count) = count(&counts.collect::<Vec<_>>()) else {
         return Vec::new();
     };
-    let scaled = |row: &[f64; 5]| row[4] * row[1];
-    let ratio = scaled(first) / scaled(other);
-    let longer = (ratio - 1.0) / (first[0] - ratio * other[0]);
-    let longer = simplest(longer - off, longer + off);
-    let intervals = scaled(first) / (1.0 + longer * first[0]) - first[2];
-    let intervals = simplest(intervals - off, intervals + off);
-    let columns = |row: &[f64; 5]| {
-        let all = row[2] + intervals;
-        [all * (1.0 + longer * row[0]) / row[1], all * row[0], 1.0]
-    };
+    let near = |x: f64| simplest(x - off, x + off);
     let mut found = Vec::new();
-    for used in [
-        [true, false, false],
-        [true, false, true],
-        [true, true, false],
-        [true, true, true],
-    ] {
-        let Some([place, begin, shift]) = solve(&rows, used, &columns, &|row| row[3]) else {
+    for intervals in INTERVALS {
+        let wide = |row: &Row| row.intervals + intervals;
+        let span = solve(&rows, [true, true], &|row| [1.0, row.cell], &|row: &Row| {
+            row.spacing * row.samples / wide(row)
+        });
+        let Some([long, longer]) = span.map(|of| of.map(near)) else {
             continue;
         };
-        let near = |x: f64| simplest(x - off, x + off);
-        let (place, begin, shift) = (near(place), near(begin), near(shift));
-        let is_shifted = begin != 0.0 || longer != 0.0;
-        for lattice in lattices(place) {
-            if is_shifted && matches!(lattice, Lattice::Steps { .. }) {
+        let columns = |row: &Row| {
+            let spacing = (long + longer * row.cell) / row.samples;
+            [spacing, 1.0 / wide(row), row.cell, 1.0]
+        };
+        for used in USED {
+            let places = solve(&rows, used, &columns, &|row| row.first / wide(row));
+            let Some([place, shift, begin, start]) = places.map(|of| of.map(near)) else {
                 continue;
-            }
-            found.push(Optics {
+            };
+            let optics = |lattice| Optics {
                 lattice,
                 cells: [begin, begin + longer],
                 field: Lookup::Linear,
                 table: Lookup::Linear,
                 intervals,
                 shift,
-            });
+            };
+            let plain = Lattice::Even {
+                place,
+                start: Along {
+                    part: start,
+                    length: 0.0,
+                },
+                end: Along {
+                    part: start + long,
+                    length: 0.0,
+                },
+                count,
+            };
+            if plain == Lattice::even(place) && begin.abs() + longer.abs() <= 0.0 {
+                found.extend(lattices(place).map(optics));
+            } else {
+                found.push(optics(plain));
+            }
         }
     }
     found
 }
 
-fn inside(seen: &Seen) -> Option<[f64; 5]> {
-    let n = seen.steps.segments;
-    let is_whole = (seen.steps.length - n as f64 * seen.steps.step).abs() < 1e-12;
+fn inside(seen: &Seen) -> Option<Row> {
+    let samples = seen.entries.len();
+    let is_whole = (seen.steps.length - seen.steps.segments as f64 * seen.steps.step).abs() < 1e-12;
     // Two at each end may be cut off where the grid or the table ends.
-    if !is_whole || seen.entries.len() != n || n < 6 {
+    if !is_whole || samples < 6 {
         return None;
     }
-    let (near, far) = (2, n - 3);
+    let (near, far) = (2, samples - 3);
     let spacing = (seen.entries[far] - seen.entries[near]) / (far - near) as f64;
-    Some([
-        1.0 / seen.volume.cells() as f64,
-        n as f64,
-        seen.volume.table.entries() as f64 - 1.0,
-        seen.entries[near] - near as f64 * spacing,
+    Some(Row {
+        cell: 1.0 / seen.volume.cells() as f64,
+        samples: samples as f64,
+        intervals: seen.volume.table.entries() as f64 - 1.0,
+        first: seen.entries[near] - near as f64 * spacing,
         spacing,
-    ])
+    })
 }
 
 /// Places a segment that are tried where a lookup takes one value.

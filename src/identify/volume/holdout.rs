@@ -9,19 +9,54 @@ use crate::identify::session::{Session, Silence};
 use crate::identify::weights::Answers;
 use crate::kernel::{Table, Volume};
 
-/// Names, depths, cells and entries from and to.
-const KINDS: [(&str, [f64; 2], [usize; 2], [usize; 2]); 6] = [
-    ("thin volumes", [1e-3, 0.02], [3, 24], [3, 24]),
-    ("middling volumes", [0.02, 3.0], [3, 24], [3, 24]),
-    ("thick volumes", [3.0, 20.0], [3, 24], [3, 24]),
-    ("volumes of few cells", [0.1, 2.0], [1, 3], [2, 24]),
-    ("volumes of few entries", [0.1, 2.0], [3, 24], [2, 4]),
-    (
-        "volumes of many cells and entries",
-        [0.1, 2.0],
-        [90, 200],
-        [90, 300],
-    ),
+/// How volumes of a kind are made.
+struct Make {
+    name: &'static str,
+    /// Optical depths of the whole ray.
+    depth: [f64; 2],
+    cells: [usize; 2],
+    entries: [usize; 2],
+}
+
+const USUAL: Make = Make {
+    name: "",
+    depth: [0.1, 2.0],
+    cells: [3, 24],
+    entries: [3, 24],
+};
+
+const MAKES: [Make; 6] = [
+    Make {
+        name: "thin volumes",
+        depth: [1e-3, 0.02],
+        ..USUAL
+    },
+    Make {
+        name: "middling volumes",
+        depth: [0.02, 3.0],
+        ..USUAL
+    },
+    Make {
+        name: "thick volumes",
+        depth: [3.0, 20.0],
+        ..USUAL
+    },
+    Make {
+        name: "volumes of few cells",
+        cells: [1, 3],
+        ..USUAL
+    },
+    Make {
+        name: "volumes of few entries",
+        entries: [2, 4],
+        ..USUAL
+    },
+    Make {
+        name: "volumes of many cells and entries",
+        cells: [90, 200],
+        entries: [90, 300],
+        ..USUAL
+    },
 ];
 /// Rays of each kind, with whole and with a shorter last segment.
 const RAYS: usize = 2;
@@ -35,7 +70,13 @@ pub(in crate::identify) fn hold_out(
 ) -> Result<HoldOut, Silence> {
     let mut random = Random::new(131);
     let mut out = HoldOut::default();
-    for (name, depth, cells, entries) in KINDS {
+    for Make {
+        name,
+        depth,
+        cells,
+        entries,
+    } in MAKES
+    {
         for partial in [false, true] {
             if partial && session.divides {
                 continue;

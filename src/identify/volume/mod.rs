@@ -106,7 +106,11 @@ fn seen(
     let y = session.ask_made(&made)?;
     let Some(found) = lit(answers, &y, bright) else {
         let dark = y.first().copied().unwrap_or(0.0);
-        let lit = y.iter().skip(1).enumerate().filter(|(_, y)| **y != dark);
+        let lit = y
+            .iter()
+            .skip(1)
+            .enumerate()
+            .filter(|(_, y)| (**y - dark).abs() > 0.0);
         return Err(NotIdentified::new(
             "a sample sees more than two entries of a table, or samples stand too close",
         )
