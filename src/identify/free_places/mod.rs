@@ -4,7 +4,7 @@ mod fit;
 mod lit;
 
 pub(super) use fit::count;
-pub(super) use lit::lit;
+pub(super) use lit::{Lit, lit};
 
 use super::NotIdentified;
 use super::pose::{Made, Steps, hats};
@@ -44,6 +44,9 @@ const RAYS: [(usize, f64, f64); 8] = [
 ];
 /// The optical depth of these rays: enough that a sample shows, and so little that all do.
 const DEPTH: f64 = 0.5;
+/// Where a kernel's law hides most of this, less is tried, down to this.
+pub(super) const THINNER: f64 = 8.0;
+pub(super) const LEAST: f64 = 1e-2;
 /// Hats, at first and where samples stand too close.
 const HATS: [usize; 3] = [65, 263, 1_049];
 
@@ -57,7 +60,10 @@ pub(super) fn places(
         return Ok(Places::Nodes);
     }
     let mut all = Vec::new();
-    let mut finest = 0;
+    let mut probe = Probe {
+        finest: 0,
+        depth: DEPTH,
+    };
     for (n, step, last) in RAYS {
         if (last < 1.0 && session.divides) || !n.is_multiple_of(session.multiple) {
             continue;
@@ -72,7 +78,7 @@ pub(super) fn places(
             step,
             segments: n,
         };
-        all.push(seen(session, answers, steps, &mut finest)?);
+        all.push(seen(session, answers, steps, &mut probe)?);
     }
     if all.iter().all(on_nodes) {
         return Ok(Places::Nodes);
@@ -80,22 +86,42 @@ pub(super) fn places(
     fit::lattice(&all).map_or_else(|| Err(unknown(&all)), |found| Ok(Places::Lattice(found)))
 }
 
+/// How rays ask.
+struct Probe {
+    /// Which of the numbers of hats.
+    finest: usize,
+    /// Optical depth.
+    depth: f64,
+}
+
+/// Whether samples hide so much that some behind may not show: the last may be a wall.
+pub(super) fn hides(samples: &[Lit]) -> bool {
+    match samples {
+        [first, .., last, _] => last.weight.abs() < first.weight.abs() / 4.0,
+        _ => false,
+    }
+}
+
 /// The samples of one ray, with more and more hats until each is seen alone.
 fn seen(
     session: &mut Session<'_>,
     answers: &Answers,
     steps: Steps,
-    finest: &mut usize,
+    probe: &mut Probe,
 ) -> Result<Seen, NotIdentified> {
     let bright = answers.emission_max.min(1.0) * answers.output.high.map_or(1.0, |h| h.min(1.0));
-    let extinction = DEPTH / steps.length;
     loop {
-        let count = HATS[*finest];
+        let extinction = probe.depth / steps.length;
+        let count = HATS[probe.finest];
         let knots = hats(steps.length, count, extinction, bright);
         let width = steps.length / (count as f64 - 1.0);
         let made = Made::of_knots(session.name(), session.pose.form, steps, knots);
         let y = session.ask_made(&made)?;
         if let Some(found) = lit(answers, &y, bright) {
+            if hides(&found) && probe.depth > LEAST {
+                probe.depth /= THINNER;
+                continue;
+            }
             let samples: Vec<(f64, f64)> = found.iter().map(|s| (s.at * width, s.weight)).collect();
             let parts = 64.0 * answers.unit + 8.0 * answers.noise;
             return Ok(Seen {
@@ -104,7 +130,7 @@ fn seen(
                 tolerance: parts * steps.length,
             });
         }
-        if *finest + 1 == HATS.len() {
+        if probe.finest + 1 == HATS.len() {
             let dark = y.first().copied().unwrap_or(0.0);
             let rows = y.iter().skip(1).enumerate();
             let rows = rows.filter(|(_, y)| (**y - dark).abs() > 0.0);
@@ -117,7 +143,7 @@ fn seen(
                 rows.map(|(k, y)| vec![k as f64 * width, *y]).collect(),
             ));
         }
-        *finest += 1;
+        probe.finest += 1;
     }
 }
 

@@ -16,6 +16,7 @@ struct Make {
     depth: [f64; 2],
     cells: [usize; 2],
     entries: [usize; 2],
+    segments: [usize; 2],
 }
 
 const USUAL: Make = Make {
@@ -23,9 +24,23 @@ const USUAL: Make = Make {
     depth: [0.1, 2.0],
     cells: [3, 24],
     entries: [3, 24],
+    segments: [1, 48],
 };
 
-const MAKES: [Make; 6] = [
+const MAKES: [Make; 8] = [
+    Make {
+        name: "volumes of many segments",
+        segments: [49, 300],
+        // A lookup of one value shows a shift where a border lies in it.
+        cells: [150, 400],
+        ..USUAL
+    },
+    Make {
+        name: "volumes of very many segments",
+        segments: [1_190, 1_210],
+        cells: [150, 400],
+        ..USUAL
+    },
     Make {
         name: "thin volumes",
         depth: [1e-3, 0.02],
@@ -75,6 +90,7 @@ pub(in crate::identify) fn hold_out(
         depth,
         cells,
         entries,
+        segments,
     } in MAKES
     {
         for partial in [false, true] {
@@ -93,7 +109,7 @@ pub(in crate::identify) fn hold_out(
                 let cells = random.integer(cells[0], cells[1]);
                 let entries = random.integer(entries[0], entries[1]);
                 let depth = random.geometric(depth[0], depth[1]) * terms.typical;
-                let steps = steps(session, &mut random, partial);
+                let steps = steps(session, &mut random, segments, partial);
                 let volume = volume(&mut random, [cells, entries], depth / steps.length);
                 kind.rays += 1;
                 let made = Made::of_volume(session.name(), steps, volume.clone());
@@ -121,8 +137,15 @@ pub(in crate::identify) fn hold_out(
     Ok(out)
 }
 
-fn steps(session: &Session<'_>, random: &mut Random, partial: bool) -> Steps {
-    let segments = random.integer(1, 48).next_multiple_of(session.multiple);
+fn steps(
+    session: &Session<'_>,
+    random: &mut Random,
+    [fewest, most]: [usize; 2],
+    partial: bool,
+) -> Steps {
+    let segments = random
+        .integer(fewest, most)
+        .next_multiple_of(session.multiple);
     let step = random.geometric(0.03, 0.9);
     let last = if partial {
         random.within(0.2, 0.9)

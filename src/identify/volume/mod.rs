@@ -9,7 +9,7 @@ pub(super) use optics::tabulated;
 pub use optics::{Lookup, Optics};
 
 use super::NotIdentified;
-use super::free_places::lit;
+use super::free_places::{LEAST, THINNER, hides, lit};
 use super::pose::{Made, Steps};
 use super::session::Session;
 use super::weights::Answers;
@@ -32,7 +32,7 @@ const VOLUMES: [(usize, usize, usize, f64); 8] = [
     (8, 7, 51, 1.0),
     (8, 37, 64, 1.0),
     (6, 16, 58, 1.0),
-    (8, 32, 64, 0.3),
+    (8, 32, 64, 0.7),
     (5, 21, 51, 0.6),
     (1, 5, 64, 1.0),
 ];
@@ -51,12 +51,13 @@ pub(super) fn optics(
         ));
     }
     let mut all = Vec::new();
+    let mut depth = DEPTH;
     for volume in VOLUMES {
         let (n, _, _, last) = volume;
         if (last < 1.0 && session.divides) || !n.is_multiple_of(session.multiple) {
             continue;
         }
-        all.push(seen(session, answers, volume)?);
+        all.push(seen(session, answers, volume, &mut depth)?);
     }
     fit::optics(&all, answers.unit).ok_or_else(|| {
         let rows = all.iter().flat_map(|seen| {
@@ -90,6 +91,7 @@ fn seen(
     session: &mut Session<'_>,
     answers: &Answers,
     (n, cells, entries, last): (usize, usize, usize, f64),
+    depth: &mut f64,
 ) -> Result<Seen, NotIdentified> {
     let bright = answers.emission_max.min(1.0) * answers.output.high.map_or(1.0, |h| h.min(1.0));
     let length = STEP * (n as f64 - 1.0 + last);
@@ -100,7 +102,7 @@ fn seen(
     };
     let volume = Volume {
         field: optics::ramp(length, cells + 1),
-        table: optics::lit_entries(length, entries, DEPTH / length, bright),
+        table: optics::lit_entries(length, entries, *depth / length, bright),
     };
     let made = Made::of_volume(session.name(), steps, volume.clone());
     let y = session.ask_made(&made)?;
@@ -119,6 +121,10 @@ fn seen(
             lit.map(|(k, y)| vec![k as f64, *y]).collect(),
         ));
     };
+    if hides(&found) && *depth > LEAST {
+        *depth /= THINNER;
+        return seen(session, answers, (n, cells, entries, last), depth);
+    }
     let (entries, weights) = found.iter().map(|s| (s.at, s.weight)).unzip();
     Ok(Seen {
         volume,
