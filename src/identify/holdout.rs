@@ -1,9 +1,8 @@
 //! A rule against rays that it was not found with.
 
-use super::pose::{Steps, at, plain};
 use super::random::Random;
 use super::ray::{Emission, Layers, Ray};
-use super::rule::{Lattice, Rule, Whole};
+use super::rule::{Rule, Whole};
 use super::session::{Session, Silence};
 use super::weights::Answers;
 use crate::kernel::Segments;
@@ -384,14 +383,9 @@ fn judge(
     misses: &mut Vec<Miss>,
 ) {
     let mut agrees = true;
-    let cut = rule.lattice.map(|lattice| of_lattice(&lattice, ray));
-    let (segments, step) = cut
-        .as_ref()
-        .map_or((&ray.segments, ray.step), |(segments, step)| {
-            (segments, *step)
-        });
+    let (segments, step) = rule.cut(ray);
     let rounded = of_places(rule, terms.answers);
-    for (channel, compared) in compare(rule, &rounded, segments, step, got)
+    for (channel, compared) in compare(rule, &rounded, &segments, step, got)
         .into_iter()
         .enumerate()
     {
@@ -416,13 +410,6 @@ fn of_places(rule: &Rule, answers: &Answers) -> Answers {
         unit: answers.unit * if rule.lattice.is_some() { SLOPE } else { 1.0 },
         ..answers.clone()
     }
-}
-
-/// A ray as a kernel cuts it that samples elsewhere than at ends and middles.
-fn of_lattice(lattice: &Lattice, ray: &Ray) -> (Segments, f64) {
-    let knots = plain(ray);
-    let at = |lambda: f64, emission: &mut [f64]| at(&knots, lambda, emission);
-    lattice.cut(&Steps::of(ray), at, ray.channels.len())
 }
 
 /// An answer beside the rule's.

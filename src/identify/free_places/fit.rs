@@ -122,46 +122,74 @@ pub(in crate::identify) fn count(rows: &[(usize, usize)]) -> Option<Count> {
         .then_some(count)
 }
 
-/// Even parts between two places, those with the fewest shifts first.
+/// Even parts between two places, the simplest first.
 fn even(rows: &[Row], count: Count, near: Near) -> Vec<Lattice> {
     let spaced: Vec<(&Row, f64)> = rows
         .iter()
         .filter_map(|row| row.spacing.map(|h| (row, h)))
         .collect();
-    let mut found = Vec::new();
+    let of_row = |(row, h): &(&Row, f64)| [*h, row.length, 1.0];
+    let mut starts = Vec::new();
     // The first sample at a h + p D + ℓ, with as few of these as it takes.
     for used in [
         [true, false, false],
         [true, true, false],
         [true, false, true],
         [true, true, true],
-        [false, true, true],
     ] {
-        let of_row = |(row, h): &(&Row, f64)| [*h, row.length, 1.0];
-        let first = solve(&spaced, used, &of_row, &|(row, _)| row.first);
-        let Some([a, p, l]) = first else { continue };
-        let place = near.to(a);
-        let start = Along {
-            part: near.to(p),
-            length: near.to(l),
-        };
+        starts.extend(solve(&spaced, used, &of_row, &|(row, _)| row.first));
+    }
+    // Where h is a part of D, nothing tells a h from p D: a is then one of these.
+    for place in [0.5, 0.0, 1.0] {
+        for used in [[false, true, false], [false, true, true]] {
+            let found = solve(&spaced, used, &of_row, &|(row, h)| row.first - place * h);
+            starts.extend(found.map(|[_, p, l]| [place, p, l]));
+        }
+    }
+    let along = |part: f64, length: f64| Along {
+        part: near.to(part),
+        length: near.to(length),
+    };
+    let mut found = Vec::new();
+    for [place, p, l] in starts {
+        let start = along(p, l);
         // Its end by the spacing: A + N h.
         let end = |(row, h): &(&Row, f64)| start.on(row.length) + row.count as f64 * h;
         for used in [[false, true, false], [false, true, true]] {
-            let Some([_, p, l]) = solve(&spaced, used, &of_row, &end) else {
-                continue;
-            };
-            let end = Along {
-                part: near.to(p),
-                length: near.to(l),
-            };
-            found.push(Lattice::Even {
-                place,
-                start,
-                end,
-                count,
-            });
+            if let Some([_, p, l]) = solve(&spaced, used, &of_row, &end) {
+                found.push(Lattice::Even {
+                    place: near.to(place),
+                    start,
+                    end: along(p, l),
+                    count,
+                });
+            }
         }
     }
+    found.sort_by_key(faults);
     found
+}
+
+/// How much is unusual about it.
+fn faults(lattice: &Lattice) -> usize {
+    let Lattice::Even {
+        place, start, end, ..
+    } = lattice
+    else {
+        return 0;
+    };
+    let whole = Along {
+        part: 1.0,
+        length: 0.0,
+    };
+    [
+        *start != Along::default(),
+        *end != whole,
+        // Twice: it lies in another one's part.
+        !(0.0..=1.0).contains(place),
+        !(0.0..=1.0).contains(place),
+    ]
+    .into_iter()
+    .filter(|is| *is)
+    .count()
 }

@@ -1,7 +1,10 @@
 //! Samples that lie elsewhere than at the ends and middles of segments.
 
-use crate::identify::pose::Steps;
+use super::Rule;
+use crate::identify::pose::{Steps, at, plain};
+use crate::identify::ray::Ray;
 use crate::kernel::{Samples, Segments};
+use std::borrow::Cow;
 use std::fmt;
 
 /// Where a kernel samples that looks wherever it likes: λₖ of the samples k = 0, 1, …, N − 1.
@@ -179,6 +182,22 @@ impl Lattice {
             lambda: edges,
         };
         (Segments { edges, middles }, step)
+    }
+}
+
+impl Rule {
+    /// The segments and the step that the rule is to be applied to, of a ray: its own, or those between which the samples
+    /// of the lattice lie.
+    #[must_use]
+    pub fn cut<'r>(&self, ray: &'r Ray) -> (Cow<'r, Segments>, f64) {
+        let Some(lattice) = &self.lattice else {
+            return (Cow::Borrowed(&ray.segments), ray.step());
+        };
+        let knots = plain(ray);
+        let at = |lambda: f64, emission: &mut [f64]| at(&knots, lambda, emission);
+        let channels = ray.segments.edges.emission.len();
+        let (segments, step) = lattice.cut(&Steps::of(ray), at, channels);
+        (Cow::Owned(segments), step)
     }
 }
 

@@ -102,7 +102,7 @@ fn between(all: &[Seen], off: f64) -> Vec<Optics> {
             };
             let optics = |lattice| Optics {
                 lattice,
-                cells: [begin, begin + longer],
+                cells: [begin, near(begin + longer)],
                 field: Lookup::Linear,
                 table: Lookup::Linear,
                 intervals,
@@ -115,7 +115,7 @@ fn between(all: &[Seen], off: f64) -> Vec<Optics> {
                     length: 0.0,
                 },
                 end: Along {
-                    part: start + long,
+                    part: near(start + long),
                     length: 0.0,
                 },
                 count,

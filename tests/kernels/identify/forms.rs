@@ -174,6 +174,9 @@ fn numbers_of_samples_that_do_not_follow_the_step_are_read() {
     let count = Count { each: 0, more: 64 };
     let fixed = sampled(|ray| even(0.0, ray.length, 64, 0.5));
     assert_lattice(&fixed, Some(from_to([0.0; 2], [1.0, 0.0], 0.5, count)));
+    let count = Count { each: 0, more: 20 };
+    let few = sampled(|ray| even(0.1 * ray.length, ray.length, 20, 0.0));
+    assert_lattice(&few, Some(from_to([0.1, 0.0], [1.0, 0.0], 0.0, count)));
     let count = Count { each: 2, more: 0 };
     let twice = sampled(|ray| even(0.0, ray.length, 2 * ray.n, 0.5));
     assert_lattice(&twice, Some(from_to([0.0; 2], [1.0, 0.0], 0.5, count)));
@@ -640,6 +643,11 @@ fn volumes_read_in_no_known_way_have_no_name() {
         Renderer { place, ..RENDERER }.of(task, channel)
     });
     assert!(odd.named().is_none());
+    let many = of_form(FormKind::Volume, |task, channel| {
+        let place = if ray(task).n > 50 { 0.51 } else { 0.5 };
+        Renderer { place, ..RENDERER }.of(task, channel)
+    });
+    assert!(many.named().is_none());
 }
 
 #[test]
