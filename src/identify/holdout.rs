@@ -258,7 +258,15 @@ pub(super) fn hold_out(
                     Ok(got) => {
                         judge(rule, terms, &ray, &got, &mut kind, &mut out.misses);
                         if let Some(opacity) = session.opacity {
-                            check_opacity(rule, terms, &ray, opacity, &mut out.opacity);
+                            let (segments, step) = rule.cut(&ray);
+                            let answers = of_places(rule, terms.answers);
+                            check_opacity(
+                                rule,
+                                &answers,
+                                (&segments, step),
+                                opacity,
+                                &mut out.opacity,
+                            );
                         }
                     }
                     Err(Silence::Budget(spent)) => return Err(Silence::Budget(spent)),
@@ -321,7 +329,9 @@ fn ray(
             let mean = depth / (n as f64 * step);
             let wave = wave(random);
             edges = (0..=n).map(|i| mean * wave(i as f64 / n as f64)).collect();
-            middles = (0..n).map(|i| mean * wave((i as f64 + 0.5) / n as f64)).collect();
+            middles = (0..n)
+                .map(|i| mean * wave((i as f64 + 0.5) / n as f64))
+                .collect();
         }
         What::Even => {
             let tau = depth / (n as f64 * step);
@@ -361,16 +371,26 @@ fn wave(random: &mut Random) -> impl Fn(f64) -> f64 + use<> {
 }
 
 /// Compares the opacity that came with an answer with 1 − T.
-fn check_opacity(rule: &Rule, terms: &Terms<'_>, ray: &Ray, got: f64, check: &mut OpacityCheck) {
-    let composed = rule.composed(&ray.segments, ray.step, Native::<f64>::new());
-    let n = ray.segments.count() as f64;
+pub(super) fn check_opacity(
+    rule: &Rule,
+    answers: &Answers,
+    (segments, step): (&Segments, f64),
+    got: f64,
+    check: &mut OpacityCheck,
+) {
+    let composed = rule.composed(segments, step, Native::<f64>::new());
+    let n = segments.count() as f64;
     let quantum = rule.output.quantum.unwrap_or(0.0);
-    let allowed = terms.answers.unit * (64.0 + 8.0 * n) + terms.answers.noise + quantum;
+    let allowed = answers.unit * (64.0 + 8.0 * n) + answers.noise + quantum;
     let off = (got - (1.0 - composed.passes)).abs();
     check.answered += 1;
     check.agree += usize::from(off <= allowed);
     // A difference that is no number is no small one.
-    check.largest = if off.is_finite() { check.largest.max(off) } else { f64::INFINITY };
+    check.largest = if off.is_finite() {
+        check.largest.max(off)
+    } else {
+        f64::INFINITY
+    };
 }
 
 /// Compares the answers to a ray with the rule's.

@@ -1,7 +1,7 @@
 //! A rule against random volumes.
 
 use super::Optics;
-use crate::identify::holdout::{HoldOut, Kind, Terms, compare};
+use crate::identify::holdout::{HoldOut, Kind, Terms, check_opacity, compare};
 use crate::identify::pose::{Made, Steps};
 use crate::identify::random::Random;
 use crate::identify::rule::Rule;
@@ -126,6 +126,10 @@ pub(in crate::identify) fn hold_out(
                         kind.agree += usize::from(compared.iter().all(|c| c.agrees));
                         let digits = compared.iter().map(|c| c.digits);
                         kind.digits = digits.fold(kind.digits, f64::min);
+                        if let Some(opacity) = session.opacity {
+                            let cut = (&segments, step);
+                            check_opacity(rule, &answers, cut, opacity, &mut out.opacity);
+                        }
                     }
                     Err(Silence::Budget(spent)) => return Err(Silence::Budget(spent)),
                     Err(_) => kind.unanswered += 1,
