@@ -316,7 +316,7 @@ fn places_of_no_formula_are_given_as_a_table() {
     assert_table(&sampled(gauss), gauss);
     let squares = |ray: Ray| -> Samples {
         let end = |k: usize| ray.length * (k as f64 / ray.n as f64).powi(2);
-        let at = |k: usize| ((end(k) + end(k + 1)) / 2.0, end(k + 1) - end(k));
+        let at = |k: usize| (f64::midpoint(end(k), end(k + 1)), end(k + 1) - end(k));
         (0..ray.n).map(at).collect()
     };
     assert_table(&sampled(squares), squares);
