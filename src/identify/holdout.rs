@@ -203,6 +203,9 @@ const MAKES: [Make; 15] = [
     },
 ];
 
+/// The optical depth of thick rays.
+const SLOPE: f64 = 40.0;
+
 /// What is held out, beside the rule.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Terms<'a> {
@@ -255,7 +258,15 @@ pub(super) fn hold_out(
                     Ok(got) => {
                         judge(rule, terms, &ray, &got, &mut kind, &mut out.misses);
                         if let Some(opacity) = session.opacity {
-                            check_opacity(rule, terms, &ray, opacity, &mut out.opacity);
+                            let (segments, step) = rule.cut(&ray);
+                            let answers = of_places(rule, terms.answers);
+                            check_opacity(
+                                rule,
+                                &answers,
+                                (&segments, step),
+                                opacity,
+                                &mut out.opacity,
+                            );
                         }
                     }
                     Err(Silence::Budget(spent)) => return Err(Silence::Budget(spent)),
@@ -360,11 +371,17 @@ fn wave(random: &mut Random) -> impl Fn(f64) -> f64 + use<> {
 }
 
 /// Compares the opacity that came with an answer with 1 − T.
-fn check_opacity(rule: &Rule, terms: &Terms<'_>, ray: &Ray, got: f64, check: &mut OpacityCheck) {
-    let composed = rule.composed(&ray.segments, ray.step, Native::<f64>::new());
-    let n = ray.segments.count() as f64;
+pub(super) fn check_opacity(
+    rule: &Rule,
+    answers: &Answers,
+    (segments, step): (&Segments, f64),
+    got: f64,
+    check: &mut OpacityCheck,
+) {
+    let composed = rule.composed(segments, step, Native::<f64>::new());
+    let n = segments.count() as f64;
     let quantum = rule.output.quantum.unwrap_or(0.0);
-    let allowed = terms.answers.unit * (64.0 + 8.0 * n) + terms.answers.noise + quantum;
+    let allowed = answers.unit * (64.0 + 8.0 * n) + answers.noise + quantum;
     let off = (got - (1.0 - composed.passes)).abs();
     check.answered += 1;
     check.agree += usize::from(off <= allowed);
@@ -386,7 +403,9 @@ fn judge(
     misses: &mut Vec<Miss>,
 ) {
     let mut agrees = true;
-    for (channel, compared) in compare(rule, terms.answers, &ray.segments, ray.step, got)
+    let (segments, step) = rule.cut(ray);
+    let rounded = of_places(rule, terms.answers);
+    for (channel, compared) in compare(rule, &rounded, &segments, step, got)
         .into_iter()
         .enumerate()
     {
@@ -402,6 +421,15 @@ fn judge(
         }
     }
     kind.agree += usize::from(agrees);
+}
+
+/// A place that a kernel works out is off by rounding, and values there by as much times the medium's slope, which adds up
+/// to a unit times the optical depth times n.
+fn of_places(rule: &Rule, answers: &Answers) -> Answers {
+    Answers {
+        unit: answers.unit * if rule.lattice.is_some() { SLOPE } else { 1.0 },
+        ..answers.clone()
+    }
 }
 
 /// An answer beside the rule's.

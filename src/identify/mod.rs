@@ -8,12 +8,15 @@
 mod channels;
 mod ends;
 mod finding;
+mod free_places;
 mod holdout;
 mod influence;
+mod least_squares;
 mod number;
 mod opacity;
 mod output;
 mod places;
+mod pose;
 mod random;
 mod ray;
 pub mod rule;
@@ -22,6 +25,7 @@ mod segment;
 mod session;
 mod state;
 mod stated;
+mod volume;
 mod weights;
 
 pub use finding::NotIdentified;
@@ -32,13 +36,15 @@ pub use scattered::Scattered;
 pub use session::{Budget, Silence, Spent};
 pub use state::{Batch, Repeat, State};
 pub use stated::stated;
+pub use volume::{Lookup, Optics};
 
-use crate::kernel::Kernel;
+use crate::kernel::{FormKind, Kernel};
 use ends::{Lone, Vacuum};
 use influence::Influence;
 use opacity::measure::Measurer;
 use places::{Places, Samples};
-use rule::{Law, Place, Range, Scheme, Sequence, Wall, Whole};
+use pose::Known;
+use rule::{Lattice, Law, Place, Range, Scheme, Sequence, Wall, Whole};
 use session::Session;
 use weights::Answers;
 
@@ -53,6 +59,8 @@ pub struct Identification {
     pub rule: Option<Rule>,
     /// What a kernel that draws random numbers does.
     pub scattered: Option<Scattered>,
+    /// What a kernel reads of a volume, to which the rule is applied as to middles of segments.
+    pub optics: Option<Optics>,
     /// Between what its parameters lie.
     pub brackets: Vec<Bracket>,
     /// The rule against rays that it was not found with.
@@ -167,10 +175,14 @@ fn run(session: &mut Session<'_>, found: &mut Identification) -> Result<(), NotI
         found.scattered = Some(scattered::scattered(session, &answers)?);
         return Ok(());
     }
+    let poses = pose::Pose::new(session.pose.form);
+    let divides = session.divides;
+    let lean = lean | look(session, &answers, found)?;
     let even = places::even(session, &answers, false)?;
     let base = Rule {
         emission_max: mapped.emission_max,
         emission_min: mapped.emission_min,
+        lattice: session.pose.lattice(),
         output: answers.output,
         channels,
         ..Rule::default()
@@ -209,9 +221,47 @@ fn run(session: &mut Session<'_>, found: &mut Identification) -> Result<(), NotI
         negative: mapped.takes_negative,
         lean,
     };
-    found.hold_out = holdout::hold_out(session, &sampled.rule, &terms)?;
+    // What was found out is tried on rays that know nothing of it.
+    (session.pose, session.divides) = (poses, divides);
+    found.hold_out = match &found.optics {
+        Some(optics) => volume::hold_out(session, &sampled.rule, optics, &terms)?,
+        None => holdout::hold_out(session, &sampled.rule, &terms)?,
+    };
     found.rule = Some(sampled.rule);
     Ok(())
+}
+
+/// Where a kernel looks that may look anywhere; rays are made for these places from then on. Whether it takes so many
+/// samples only.
+fn look(
+    session: &mut Session<'_>,
+    answers: &Answers,
+    found: &mut Identification,
+) -> Result<bool, NotIdentified> {
+    let lattice = match session.pose.form {
+        FormKind::Segments => return Ok(false),
+        FormKind::Volume => {
+            let optics = volume::optics(session, answers)?;
+            session.pose.places = Known::Volume(optics);
+            found.optics = Some(optics);
+            optics.lattice
+        }
+        FormKind::Formula(_) | FormKind::Function => match free_places::places(session, answers)? {
+            free_places::Places::Nodes => return Ok(false),
+            free_places::Places::Lattice(lattice) => {
+                session.pose.places = Known::Lattice(lattice);
+                lattice
+            }
+        },
+    };
+    let Lattice::Even { count, .. } = lattice else {
+        return Ok(false);
+    };
+    session.divides = true;
+    if count.each == 0 {
+        session.most_samples = count.of(1);
+    }
+    Ok(count.each == 0)
 }
 
 /// The rule of segments with several values.

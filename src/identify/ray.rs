@@ -1,5 +1,6 @@
 //! Rays that ask.
 
+use super::pose::{at, plain};
 use crate::kernel::{Data, Medium, Samples, Segments, Task};
 use rug::Rational;
 
@@ -102,7 +103,8 @@ impl Layers {
     }
 }
 
-/// A ray with channels, made up to ask: C and τ linear between the ends and middles of segments.
+/// A ray with channels, made up to ask: C and τ linear between the ends and middles of segments, and constant in
+/// the nearest neighbourhood of each.
 #[derive(Clone, Debug)]
 pub struct Ray {
     pub(super) name: String,
@@ -164,27 +166,6 @@ impl Medium for Ray {
     }
 
     fn at(&self, lambda: f64, emission: &mut [f64]) -> f64 {
-        let edges = &self.segments.edges;
-        let n = self.segments.count();
-        let segment = edges.lambda.partition_point(|edge| *edge <= lambda);
-        let i = segment.saturating_sub(1).min(n.saturating_sub(1));
-        let middle = self.segments.middles.lambda[i];
-        let (near, far) = (edges.lambda[i], edges.lambda[i + 1]);
-        let between = |ends: &[f64], middles: &[f64]| {
-            if lambda <= middle {
-                let part = ((lambda - near) / (middle - near)).clamp(0.0, 1.0);
-                ends[i] * (1.0 - part) + middles[i] * part
-            } else {
-                let part = ((lambda - middle) / (far - middle)).clamp(0.0, 1.0);
-                middles[i] * (1.0 - part) + ends[i + 1] * part
-            }
-        };
-        let middles = &self.segments.middles;
-        for (k, emission) in emission.iter_mut().enumerate() {
-            if let (Some(ends), Some(inner)) = (edges.emission.get(k), middles.emission.get(k)) {
-                *emission = between(ends, inner);
-            }
-        }
-        between(&edges.extinction, &middles.extinction)
+        at(&plain(self), lambda, emission)
     }
 }

@@ -1,8 +1,10 @@
 //! Asking a kernel, and counting what it costs.
 
+use super::pose::{Made, Pose, Posed};
 use super::ray::{Emission, Layers, Ray};
 use super::rule::Channels;
-use crate::kernel::{Kernel, KernelError, Rendering};
+use crate::kernel::{Kernel, KernelError, Rendering, Task};
+use std::ops::Range;
 use std::time::{Duration, Instant};
 
 /// What may be spent.
@@ -59,7 +61,16 @@ pub enum Silence {
         /// Of how many segments.
         segments: usize,
     },
+    /// It takes no rays of so many samples.
+    #[error("it takes fewer than {segments} samples")]
+    TooMany {
+        /// How many were wanted.
+        segments: usize,
+    },
 }
+
+/// The answers of channels, where they stand, and the opacity.
+pub(super) type Answer = (Vec<f64>, Option<f64>);
 
 /// A conversation with a kernel.
 pub(super) struct Session<'k> {
@@ -77,6 +88,10 @@ pub(super) struct Session<'k> {
     pub(super) divides: bool,
     /// The opacity that came with the last answer.
     pub(super) opacity: Option<f64>,
+    /// The most samples that a ray may be made for.
+    pub(super) most_samples: usize,
+    /// In what form it is asked.
+    pub(super) pose: Pose,
     names: u64,
     heard: &'k mut dyn FnMut(&Spent),
 }
@@ -90,6 +105,7 @@ impl<'k> Session<'k> {
         let declaration = kernel.declaration();
         let multiple = usize::try_from(declaration.multiple_of.get()).unwrap_or(usize::MAX);
         let divides = declaration.step_divides;
+        let pose = Pose::new(declaration.form);
         Session {
             kernel,
             budget,
@@ -100,6 +116,8 @@ impl<'k> Session<'k> {
             multiple,
             divides,
             opacity: None,
+            most_samples: usize::MAX,
+            pose,
             names: 0,
             heard,
         }
@@ -127,7 +145,7 @@ impl<'k> Session<'k> {
         layers.ray(name, emission)
     }
 
-    fn count(&mut self, ray: &Ray) -> Result<(), Silence> {
+    fn count(&mut self, segments: usize) -> Result<(), Silence> {
         if self.spent.rays >= self.budget.rays {
             return Err(Silence::Budget(format!("{} rays", self.budget.rays)));
         }
@@ -135,7 +153,7 @@ impl<'k> Session<'k> {
             let seconds = self.budget.time.as_secs();
             return Err(Silence::Budget(format!("{seconds} s")));
         }
-        let segments = ray.segments.count() as u64;
+        let segments = segments as u64;
         self.spent.rays += 1;
         self.spent.segments += segments;
         self.spent.longest = self.spent.longest.max(segments);
@@ -144,36 +162,43 @@ impl<'k> Session<'k> {
     }
 
     /// One ray as it is: the answers of its channels, where they stand, and the opacity.
-    pub(super) fn once(&mut self, ray: &Ray) -> Result<(Vec<f64>, Option<f64>), Silence> {
-        self.count(ray)?;
-        let answer = self.kernel.render(&ray.task());
-        let answer = self.read(ray, answer)?;
-        Ok(answer)
+    pub(super) fn once(&mut self, ray: &Ray) -> Result<Answer, Silence> {
+        let posed = self.pose.of(ray)?;
+        self.put(&posed)
+    }
+
+    fn put(&mut self, posed: &Posed<'_>) -> Result<Answer, Silence> {
+        let task = posed.task();
+        self.count(usize::try_from(task.segments).unwrap_or(usize::MAX))?;
+        let answer = self.kernel.render(&task);
+        self.read(&task, answer)
     }
 
     /// Several rays in one request.
-    pub(super) fn together(
-        &mut self,
-        rays: &[Ray],
-    ) -> Vec<Result<(Vec<f64>, Option<f64>), Silence>> {
+    pub(super) fn together(&mut self, rays: &[Ray]) -> Vec<Result<Answer, Silence>> {
+        let mut posed = Vec::with_capacity(rays.len());
         for ray in rays {
-            if let Err(silence) = self.count(ray) {
-                return rays.iter().map(|_| Err(silence.clone())).collect();
+            match self
+                .count(ray.segments.count())
+                .and_then(|()| self.pose.of(ray))
+            {
+                Ok(one) => posed.push(one),
+                Err(silence) => return rays.iter().map(|_| Err(silence.clone())).collect(),
             }
         }
-        let tasks: Vec<_> = rays.iter().map(Ray::task).collect();
+        let tasks: Vec<_> = posed.iter().map(Posed::task).collect();
         let answers = self.kernel.render_all(&tasks);
-        let both = rays.iter().zip(answers);
-        both.map(|(ray, answer)| self.read(ray, answer)).collect()
+        let both = tasks.iter().zip(answers);
+        both.map(|(task, answer)| self.read(task, answer)).collect()
     }
 
     fn read(
         &mut self,
-        ray: &Ray,
+        task: &Task<'_>,
         answer: Result<Rendering, KernelError>,
-    ) -> Result<(Vec<f64>, Option<f64>), Silence> {
-        let segments = ray.segments.count();
-        let wanted = ray.channels.len();
+    ) -> Result<Answer, Silence> {
+        let segments = usize::try_from(task.segments).unwrap_or(usize::MAX);
+        let wanted = task.subject.channels().len();
         let checked = answer.and_then(|answer| {
             let got = answer.radiance.len();
             if got == wanted {
@@ -210,20 +235,39 @@ impl<'k> Session<'k> {
     /// The same, finite or not.
     pub(super) fn ask_any(&mut self, ray: &Ray) -> Result<Vec<f64>, Silence> {
         let count = ray.channels.len();
+        self.in_parts(count, |session, range| {
+            let part = (range.len() < count).then(|| ray.part(range));
+            session.once(part.as_ref().unwrap_or(ray))
+        })
+    }
+
+    /// The finite answers of all channels of a ray made in another form.
+    pub(super) fn ask_made(&mut self, made: &Made) -> Result<Vec<f64>, Silence> {
+        let answers = self.in_parts(made.channels(), |session, range| {
+            session.put(&Posed::Made(Box::new(made.part(range))))
+        })?;
+        if answers.iter().all(|y| y.is_finite()) {
+            Ok(answers)
+        } else {
+            let segments = made.segments;
+            Err(Silence::NotFinite { segments })
+        }
+    }
+
+    /// Answers in the order of the channels, no more channels at once than may be.
+    fn in_parts(
+        &mut self,
+        count: usize,
+        mut once: impl FnMut(&mut Self, Range<usize>) -> Result<Answer, Silence>,
+    ) -> Result<Vec<f64>, Silence> {
         let most = self.budget.channels;
         let mut answers = Vec::with_capacity(count);
         for start in (0..count).step_by(most) {
             let end = (start + most).min(count);
-            let part = if count <= most {
-                None
-            } else {
-                Some(ray.part(start..end))
-            };
-            let ray = part.as_ref().unwrap_or(ray);
             if self.twice {
-                self.once(ray)?;
+                once(self, start..end)?;
             }
-            let (y, opacity) = self.once(ray)?;
+            let (y, opacity) = once(self, start..end)?;
             self.opacity = opacity;
             let count = end - start;
             answers.extend((0..count).map(|k| y[self.channels.place(k, count)]));

@@ -84,7 +84,8 @@ impl Measurer<'_> {
     /// n rounded up to what the kernel takes whole.
     pub(in crate::identify) fn suitable(&self, session: &Session<'_>, n: usize) -> usize {
         let unrolled = usize::try_from(self.samples.sequence.unrolled).unwrap_or(1);
-        n.next_multiple_of(unrolled.max(1))
+        n.min(session.most_samples)
+            .next_multiple_of(unrolled.max(1))
             .next_multiple_of(session.multiple)
     }
 
@@ -163,6 +164,16 @@ impl Measurer<'_> {
         let plain = !sequence.late && sequence.first == End::Once && sequence.last == End::Once;
         let lead = if plain { LEAD / 2 } else { LEAD };
         let count = extinctions.len();
+        let most = session.most_samples.saturating_sub(lead + TAIL) / 3;
+        if count > most.max(1) {
+            let mut all = Vec::new();
+            for some in extinctions.chunks(most.max(1)) {
+                // The reference comes last.
+                all.pop();
+                all.extend(self.points(session, reference, some)?);
+            }
+            return Ok(all);
+        }
         let n = self.suitable(session, lead + TAIL + 3 * count);
         let mut taus = vec![reference.extinction; n];
         // From the last to the first: given in ascending order the thin ones come last, where a ray may end by them.

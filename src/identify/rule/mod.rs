@@ -9,6 +9,7 @@ mod composed;
 mod depth;
 mod json;
 mod latex;
+mod lattice;
 mod law;
 mod output;
 mod program;
@@ -20,6 +21,8 @@ mod text;
 pub use composed::{Composed, Node};
 pub(super) use composed::{emission, extinction};
 pub use depth::{Depth, Power};
+pub(super) use lattice::plus;
+pub use lattice::{Along, Count, Lattice};
 pub use law::{Formula, Law, Range, Scale, Series, Shape, Step, Table, Weight};
 pub use output::{Channels, Curve, Output};
 pub(super) use scheme::Three;
@@ -32,6 +35,9 @@ use serde::Serialize;
 pub struct Rule {
     /// What one segment adds and lets through.
     pub scheme: Scheme,
+    /// Where samples lie, where they lie at no ends or middles of segments: the rule is that of the middles of segments
+    /// between which such a kernel's samples lie.
+    pub lattice: Option<Lattice>,
     /// Which segments are taken, in what order.
     pub sequence: Sequence,
     /// Where the ray ends before its end.
