@@ -5,14 +5,19 @@
 //! part of the [`Rule`] off, or says that it could not and what it measured; a rule is named where it predicts the
 //! answers to rays that it was not found with.
 
+mod against;
 mod channels;
+mod curves;
+mod deviation;
 mod ends;
+mod examined;
 mod finding;
 mod holdout;
 mod influence;
 mod number;
 mod opacity;
 mod output;
+mod part;
 mod places;
 mod random;
 mod ray;
@@ -21,13 +26,19 @@ mod segment;
 mod session;
 mod state;
 mod weights;
+mod witness;
 
+pub use against::{Against, Difference, Known, against, differences};
+pub use deviation::{Deviation, deviations, misbehaviour, right_of};
+pub use examined::{Examined, Verdict, examine};
 pub use finding::NotIdentified;
 pub use holdout::{HoldOut, Kind, Miss};
+pub use part::{Part, Stated, parts};
 pub use ray::Ray;
 pub use rule::Rule;
 pub use session::{Budget, Silence, Spent};
 pub use state::{Batch, Repeat, State};
+pub use witness::{TaskError, Witness, witness};
 
 use crate::kernel::Kernel;
 use ends::{Lone, Vacuum};
