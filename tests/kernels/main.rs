@@ -12,6 +12,7 @@
 
 mod assert;
 mod diagnosis;
+mod identify;
 mod itself;
 mod kernel;
 mod kernel_defects;
