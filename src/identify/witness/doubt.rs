@@ -54,10 +54,32 @@ pub(super) struct AgainstRules<'k> {
     rules: &'k [Rule],
     answers: Answers,
     spent: bool,
+    names: Names,
+}
+
+/// Names that no ray had: some kernels remember answers by these.
+struct Names {
+    stem: &'static str,
+    given: u64,
+}
+
+impl Names {
+    fn next(&mut self, ray: &Ray) -> Ray {
+        self.given += 1;
+        Ray {
+            name: format!("{}-{}", self.stem, self.given),
+            ..ray.clone()
+        }
+    }
 }
 
 impl<'k> AgainstRules<'k> {
-    pub(super) fn new(mut session: Session<'k>, rules: &'k [Rule], known: &Identification) -> Self {
+    pub(super) fn new(
+        mut session: Session<'k>,
+        rules: &'k [Rule],
+        known: &Identification,
+        stem: &'static str,
+    ) -> Self {
         let state = known.state.as_ref();
         session.twice = state.is_some_and(|state| state.repeat == Repeat::Previous);
         AgainstRules {
@@ -65,6 +87,7 @@ impl<'k> AgainstRules<'k> {
             rules,
             answers: answers(known),
             spent: false,
+            names: Names { stem, given: 0 },
         }
     }
 }
@@ -82,7 +105,7 @@ impl Doubt for AgainstRules<'_> {
     fn of(&mut self, ray: &Ray) -> Option<Shown> {
         // Where a channel is to stand the rules say, and not what is known of the kernel.
         self.session.channels = self.rules.first()?.channels;
-        let got = match self.session.ask_any(ray) {
+        let got = match self.session.ask_any(&self.names.next(ray)) {
             Ok(got) => got,
             Err(Silence::Budget(_)) => {
                 self.spent = true;
@@ -173,6 +196,7 @@ pub(in crate::identify) struct AgainstKernel<'k> {
     noise: f64,
     quantum: f64,
     spent: bool,
+    names: Names,
 }
 
 impl<'k> AgainstKernel<'k> {
@@ -192,6 +216,10 @@ impl<'k> AgainstKernel<'k> {
             one: one.0,
             other: other.0,
             spent: false,
+            names: Names {
+                stem: "both",
+                given: 0,
+            },
         }
     }
 
@@ -224,9 +252,10 @@ impl<'k> AgainstKernel<'k> {
 
 impl Doubt for AgainstKernel<'_> {
     fn of(&mut self, ray: &Ray) -> Option<Shown> {
+        let asked = self.names.next(ray);
         let mut both = Vec::new();
         for session in [&mut self.one, &mut self.other] {
-            match session.ask_any(ray) {
+            match session.ask_any(&asked) {
                 Ok(answers) => both.push(answers),
                 Err(silence) => {
                     self.spent |= matches!(silence, Silence::Budget(_));

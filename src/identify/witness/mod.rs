@@ -155,17 +155,21 @@ pub fn witness(
         };
         let mut unheard = |_: &Spent| ();
         let session = Session::new(&mut model, free, &mut unheard);
-        let found = search(&mut AgainstRules::new(session, rules, known), nodes, from);
+        let found = search(
+            &mut AgainstRules::new(session, rules, known, "model"),
+            nodes,
+            from,
+        );
         if let Some((ray, _)) = found {
             let session = Session::new(&mut *kernel, budget, &mut *heard);
-            let mut doubt = AgainstRules::new(session, rules, known);
+            let mut doubt = AgainstRules::new(session, rules, known, "found");
             if let Some(shown) = doubt.of(&ray) {
                 return Some(Witness::of(ray, &shown));
             }
         }
     }
     let session = Session::new(kernel, budget, heard);
-    let mut doubt = AgainstRules::new(session, rules, known);
+    let mut doubt = AgainstRules::new(session, rules, known, "sought");
     let (ray, shown) = search(&mut doubt, nodes, from)?;
     Some(Witness::of(ray, &shown))
 }

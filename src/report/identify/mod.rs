@@ -158,6 +158,10 @@ fn witness(examined: &Examined) -> Vec<Block> {
         return Vec::new();
     };
     let mut blocks = vec![Block::Lines(witness.to_string())];
+    if examined.found.named().is_none() {
+        let against = "No rule is named: this is beside one sample a segment, in the place nearest to the answer.";
+        blocks.push(Block::Text(against.into()));
+    }
     if let Ok(task) = witness.ray.to_json() {
         blocks.push(Block::Lines(task).only(Medium::Written));
     }

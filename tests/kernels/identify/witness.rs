@@ -1,7 +1,9 @@
 //! Kernels with known faults: the ray that shows one is small, and what it shows is real.
 
+use rug::Float;
+use std::num::NonZeroU64;
 use volver::identify::{Budget, Examined, Ray, Verdict, examine};
-use volver::kernel::{Closure, Segments};
+use volver::kernel::{Closure, Declaration, Kernel, KernelError, Rendering, Segments, Task};
 use volver::symbolic::code::Language;
 
 /// A fault of a march with one sample in the middle of each segment.
@@ -243,4 +245,64 @@ fn a_unit_test_in_c_fails_where_the_kernel_does() {
         let run = std::process::Command::new(&program).output().unwrap();
         assert_eq!(run.status.success(), passes, "{source}");
     }
+}
+
+/// A march that refuses some rays.
+#[derive(Debug)]
+struct Picky {
+    declaration: Declaration,
+    fault: Fault,
+    refuses: fn(usize) -> bool,
+}
+
+impl Kernel for Picky {
+    fn declaration(&self) -> &Declaration {
+        &self.declaration
+    }
+
+    fn render(&mut self, task: &Task<'_>) -> Result<Rendering, KernelError> {
+        let segments = task.cut().expect("segments");
+        if (self.refuses)(segments.count()) {
+            let reason = "not that many".into();
+            return Err(KernelError::Refused { reason });
+        }
+        let channels = 0..segments.middles.emission.len();
+        let radiance =
+            channels.map(|channel| Float::with_val(53, march(segments, channel, self.fault)));
+        Ok(Rendering {
+            radiance: radiance.collect(),
+            ..Rendering::default()
+        })
+    }
+}
+
+#[test]
+fn rays_that_a_kernel_refuses_are_no_witness() {
+    let mut kernel = Picky {
+        declaration: Declaration::new("picky"),
+        fault: Fault::Smoothed,
+        refuses: |n| n == 2,
+    };
+    // Smoothing shows on two segments first, which are refused.
+    let witness = examine(&mut kernel, Budget::default(), &mut |_| ()).witness;
+    assert_eq!(witness.expect("a witness").segments(), 3);
+    kernel.refuses = |_| true;
+    let nothing = examine(&mut kernel, Budget::default(), &mut |_| ());
+    assert_eq!(nothing.verdict(), Verdict::NoAnswer);
+    assert!(nothing.witness.is_none());
+}
+
+#[test]
+fn a_witness_has_a_number_of_segments_that_the_kernel_takes() {
+    let mut kernel = Picky {
+        declaration: Declaration {
+            multiple_of: NonZeroU64::new(4).expect("not 0"),
+            step_divides: true,
+            ..Declaration::new("by fours")
+        },
+        fault: Fault::Late,
+        refuses: |n| n % 4 != 0,
+    };
+    let examined = examine(&mut kernel, Budget::default(), &mut |_| ());
+    assert_eq!(examined.witness.expect("a witness").segments(), 4);
 }
