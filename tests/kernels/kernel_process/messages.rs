@@ -20,7 +20,7 @@ static SUBJECT: LazyLock<Subject> = LazyLock::new(|| subject("homogeneous"));
 /// The results in the answer to a request of id 7 for one task.
 fn results(line: &[u8], bits: u32) -> Result<Vec<Result<Rendering, KernelError>>, Trouble> {
     let task = Task {
-        subject: &SUBJECT,
+        subject: &*SUBJECT,
         step: 1.0,
         segments: 2,
         seed: 0,
