@@ -318,7 +318,9 @@ fn ray(
             let mean = depth / (n as f64 * step);
             let wave = wave(random);
             edges = (0..=n).map(|i| mean * wave(i as f64 / n as f64)).collect();
-            middles = (0..n).map(|i| mean * wave((i as f64 + 0.5) / n as f64)).collect();
+            middles = (0..n)
+                .map(|i| mean * wave((i as f64 + 0.5) / n as f64))
+                .collect();
         }
         What::Even => {
             let tau = depth / (n as f64 * step);
@@ -367,7 +369,11 @@ fn check_opacity(rule: &Rule, terms: &Terms<'_>, ray: &Ray, got: f64, check: &mu
     check.answered += 1;
     check.agree += usize::from(off <= allowed);
     // A difference that is no number is no small one.
-    check.largest = if off.is_finite() { check.largest.max(off) } else { f64::INFINITY };
+    check.largest = if off.is_finite() {
+        check.largest.max(off)
+    } else {
+        f64::INFINITY
+    };
 }
 
 /// Compares the answers to a ray with the rule's.

@@ -1,7 +1,7 @@
 //! Sentences of the report.
 
 use crate::document::Fact;
-use crate::identify::rule::Rule;
+use crate::identify::rule::{Law, Rule, Scheme};
 use crate::identify::{Deviation, Examined, Verdict, parts};
 
 pub(super) fn word(verdict: Verdict) -> &'static str {
@@ -33,9 +33,16 @@ pub(super) fn conclusion(examined: &Examined) -> String {
     }
 }
 
-/// The rule, a line a part.
+/// The rule: its sum, and a line for every part that is not plain.
 pub(super) fn formula(rule: &Rule) -> String {
-    let lines: Vec<String> = parts(rule).into_iter().map(|part| part.words).collect();
+    let is_plain = matches!(&rule.scheme, Scheme::Sample { law, .. } if *law == Law::default());
+    let sum = if is_plain {
+        "I = Σⱼ Tⱼ αⱼ Cⱼ, αⱼ = 1 − e^(−τⱼ dⱼ), Tⱼ = Π_{k<j} (1 − αₖ)"
+    } else {
+        "I = Σⱼ Tⱼ wⱼ Cⱼ, Tⱼ = Π_{k<j} pₖ"
+    };
+    let parts = parts(rule).into_iter().map(|part| part.words);
+    let lines: Vec<String> = std::iter::once(sum.to_string()).chain(parts).collect();
     lines.join("\n")
 }
 
@@ -48,11 +55,25 @@ pub(super) fn kinds(examined: &Examined) -> String {
     };
     let (good, bad) = (of(true), of(false));
     let mut words = format!("It holds on rays that are {}.", list(&good));
-    if !bad.is_empty() {
+    if bad.is_empty() {
+        let parted = good.iter().filter(|name| name.ends_with(PARTED)).count();
+        if parted > 0 {
+            // One word for all, where all kinds hold.
+            let whole: Vec<&str> = good
+                .into_iter()
+                .filter(|name| !name.ends_with(PARTED))
+                .collect();
+            words = format!("It holds on rays that are {}", list(&whole));
+            words = format!("{words}; with a last step that is whole, and one that is shorter.");
+        }
+    } else {
         words = format!("{words} It does not on rays that are {}.", list(&bad));
     }
     words
 }
+
+/// What names of kinds end with whose last step is shorter.
+const PARTED: &str = ", shorter last step";
 
 fn list(words: &[&str]) -> String {
     if words.is_empty() {
