@@ -83,7 +83,7 @@ fn right_segment(weights: &Segment, depth: &[Rational; 3]) -> Segment {
             parts: consistent(parts),
             half: depth
                 .each_ref()
-                .map(|part| Rational::from(part / Rational::from(2))),
+                .map(|part| part.clone() / Rational::from(2)),
         },
     }
 }

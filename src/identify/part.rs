@@ -509,9 +509,12 @@ fn sum(parts: &[Rational; 3], what: &str) -> String {
     let names = ["in front", "in the middle", "at the back"];
     let terms = parts.iter().zip(names).filter(|(part, _)| !part.is_zero());
     let terms: Vec<String> = terms
-        .map(|(part, name)| match *part == 1 {
-            true => format!("{what} {name}"),
-            false => format!("{part} {what} {name}"),
+        .map(|(part, name)| {
+            if *part == 1 {
+                format!("{what} {name}")
+            } else {
+                format!("{part} {what} {name}")
+            }
         })
         .collect();
     if terms.is_empty() {

@@ -2,6 +2,7 @@
 
 use super::Witness;
 use crate::symbolic::code::Language;
+use std::fmt::Write as _;
 
 impl Witness {
     /// The source of a test that calls `function` with the ray and wants the radiance, within rounding.
@@ -50,19 +51,22 @@ impl Witness {
         ]
     }
 
+    // Writing to a String does not fail.
     fn c(&self, function: &str) -> String {
         let (want, tolerance) = (self.want, self.tolerance);
         let mut text = String::from("#include <assert.h>\n#include <math.h>\n\n");
         let pointers = self.rows().map(|(name, _)| format!("const double *{name}"));
-        text += &format!(
+        let _ = write!(
+            text,
             "double {function}({}, int n, double step);\n\n",
             pointers.join(", ")
         );
-        text += &format!("int main(void)\n{{\n    /* {self} */\n");
+        let _ = write!(text, "int main(void)\n{{\n    /* {self} */\n");
         for (name, row) in self.rows() {
-            text += &format!("    const double {name}[] = {{{}}};\n", listed(&row));
+            let _ = write!(text, "    const double {name}[] = {{{}}};\n", listed(&row));
         }
-        text += &format!(
+        let _ = write!(
+            text,
             "    double radiance = {function}({}, {}, {:?});\n    \
                  assert(fabs(radiance - {want:?}) <= {tolerance:.1e});\n    \
                  return 0;\n}}\n",
@@ -77,9 +81,10 @@ impl Witness {
         let (want, tolerance) = (self.want, self.tolerance);
         let mut text = format!("#[test]\nfn witness() {{\n    // {self}\n");
         for (name, row) in self.rows() {
-            text += &format!("    let {name} = [{}];\n", listed(&row));
+            let _ = write!(text, "    let {name} = [{}];\n", listed(&row));
         }
-        text += &format!(
+        let _ = write!(
+            text,
             "    let radiance = {function}({}, {:?});\n    \
                  assert!((radiance - {}).abs() <= {tolerance:.1e}, \"{{radiance}}\");\n}}\n",
             self.rows().map(|(name, _)| format!("&{name}")).join(", "),

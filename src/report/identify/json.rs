@@ -32,7 +32,8 @@ struct Rule {
 
 #[derive(Serialize)]
 struct Part {
-    part: &'static str,
+    #[serde(rename = "part")]
+    name: &'static str,
     value: Option<f64>,
     words: String,
 }
@@ -137,7 +138,7 @@ pub fn json(examined: &Examined, other: Option<&Other>) -> Result<String, Report
 
 fn part(stated: crate::identify::Stated) -> Part {
     Part {
-        part: stated.part.name(),
+        name: stated.part.name(),
         value: stated.value,
         words: stated.words,
     }

@@ -33,6 +33,7 @@ fn sequence(sequence: Sequence) -> Rule {
 }
 
 /// Rules with one fault each, under the name of that.
+#[allow(clippy::too_many_lines)] // A list.
 fn faulty() -> Vec<(&'static str, Rule)> {
     let plain = Sequence::default;
     let output = |output| Rule {
