@@ -70,6 +70,19 @@ impl KernelArguments {
         Ok(None)
     }
 
+    /// Whatever it is, ready to be asked.
+    pub(super) fn started(&self) -> Result<Box<dyn Kernel>, Failure> {
+        self.at_once()?.map_or_else(|| self.program(), Ok)
+    }
+
+    /// Another kernel, by words with blanks between them, which is waited for as long.
+    pub(super) fn another(&self, command: &str) -> Self {
+        KernelArguments {
+            command: command.split_whitespace().map(Into::into).collect(),
+            ..*self
+        }
+    }
+
     /// Starts the program. Whatever ends this process from the keyboard ends the kernel's too.
     pub(super) fn program(&self) -> Result<Box<dyn Kernel>, Failure> {
         let options = Options {
@@ -82,7 +95,11 @@ impl KernelArguments {
             process::stop_all();
             std::process::exit(130);
         };
-        ctrlc::set_handler(handler).map_err(|error| self.failed(error))?;
+        match ctrlc::set_handler(handler) {
+            // That of the first program stops all.
+            Ok(()) | Err(ctrlc::Error::MultipleHandlers) => {}
+            Err(error) => return Err(self.failed(error)),
+        }
         let started = ProcessKernel::start(self.kernel(), self.arguments(), options);
         Ok(Box::new(started.map_err(|error| self.failed(error))?))
     }

@@ -8,6 +8,7 @@ mod check;
 mod completions;
 mod failure;
 mod fit;
+mod identify;
 mod input;
 mod kernel;
 mod manufacture;
@@ -68,6 +69,7 @@ struct Arguments {
 #[derive(Subcommand)]
 pub(crate) enum Command {
     Verify(verify::Verify),
+    Identify(Box<identify::Identify>),
     Check(check::Check),
     Reproduce(reproduce::Reproduce),
     Stress(stress::Stress),
@@ -90,6 +92,7 @@ impl Command {
     pub(crate) fn run(self) -> Result<Outcome, Failure> {
         match self {
             Command::Verify(arguments) => arguments.run(),
+            Command::Identify(arguments) => arguments.run(),
             Command::Check(arguments) => arguments.run(),
             Command::Reproduce(arguments) => arguments.run(),
             Command::Stress(arguments) => arguments.run(),

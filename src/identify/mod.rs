@@ -5,8 +5,12 @@
 //! part of the [`Rule`] off, or says that it could not and what it measured; a rule is named where it predicts the
 //! answers to rays that it was not found with.
 
+mod against;
 mod channels;
+mod curves;
+mod deviation;
 mod ends;
+mod examined;
 mod finding;
 mod free_places;
 mod holdout;
@@ -15,6 +19,7 @@ mod least_squares;
 mod number;
 mod opacity;
 mod output;
+mod part;
 mod places;
 mod pose;
 mod random;
@@ -27,9 +32,14 @@ mod state;
 mod stated;
 mod volume;
 mod weights;
+mod witness;
 
+pub use against::{Against, Difference, Known, against, differences};
+pub use deviation::{Deviation, deviations, misbehaviour, right_of};
+pub use examined::{Examined, Verdict, examine};
 pub use finding::NotIdentified;
 pub use holdout::{HoldOut, Kind, Miss};
+pub use part::{Part, Stated, parts};
 pub use ray::Ray;
 pub use rule::Rule;
 pub use scattered::Scattered;
@@ -37,14 +47,14 @@ pub use session::{Budget, Silence, Spent};
 pub use state::{Batch, Repeat, State};
 pub use stated::stated;
 pub use volume::{Lookup, Optics};
+pub use witness::{TaskError, Witness, witness};
 
 use crate::kernel::{FormKind, Kernel};
 use ends::{Lone, Vacuum};
 use influence::Influence;
 use opacity::measure::Measurer;
 use places::{Places, Samples};
-use pose::Known;
-use rule::{Lattice, Law, Place, Range, Scheme, Sequence, Wall, Whole};
+use rule::{Lattice, Law, Place, Scheme, Wall};
 use session::Session;
 use weights::Answers;
 
@@ -242,14 +252,14 @@ fn look(
         FormKind::Segments => return Ok(false),
         FormKind::Volume => {
             let optics = volume::optics(session, answers)?;
-            session.pose.places = Known::Volume(optics);
+            session.pose.places = pose::Known::Volume(optics);
             found.optics = Some(optics);
             optics.lattice
         }
         FormKind::Formula(_) | FormKind::Function => match free_places::places(session, answers)? {
             free_places::Places::Nodes => return Ok(false),
             free_places::Places::Lattice(lattice) => {
-                session.pose.places = Known::Lattice(lattice);
+                session.pose.places = pose::Known::Lattice(lattice);
                 lattice
             }
         },

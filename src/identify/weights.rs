@@ -2,7 +2,7 @@
 
 use super::NotIdentified;
 use super::ray::{Emission, Layers, Ray};
-use super::rule::{Node, Output, Place, Rule};
+use super::rule::{Node, Output, Place};
 use super::session::{Session, Silence};
 
 /// A number, and how far it may be off.
@@ -240,11 +240,6 @@ fn measure(
         },
         largest,
     })
-}
-
-/// Where one sample a segment may have weight, as far as it is known.
-pub(super) fn sampled_nodes(rule: &Rule, place: Place, n: usize) -> Vec<Node> {
-    nodes_of(place, n, rule.sequence.extra.is_some())
 }
 
 impl From<Silence> for NotIdentified {

@@ -1,7 +1,10 @@
 //! What a kernel computes: read off by probes; rules printed, run beside the kernel, and stated by methods.
 
 mod code;
+mod command;
+mod deviation;
 mod forms;
 mod random;
 mod stated;
+mod witness;
 mod words;

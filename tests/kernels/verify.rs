@@ -5,7 +5,7 @@ mod help;
 mod kernels;
 mod outputs;
 mod promises;
-mod run;
+pub(crate) mod run;
 mod signals;
 mod trouble;
 mod usage;

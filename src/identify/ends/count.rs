@@ -116,7 +116,7 @@ fn most(
     let place = lone.measurer.samples.place;
     let taus = vec![tau; n];
     let layers = layers_at(place, 0.25, &taus, &taus);
-    let mut lit = |session: &mut Session<'_>, from: &[usize]| {
+    let lit = |session: &mut Session<'_>, from: &[usize]| {
         let mut emission = vec![Emission::even(n, 0.0)];
         for &m in from {
             let mut behind = Emission::even(n, 0.0);

@@ -8,10 +8,10 @@ mod stop;
 mod vacuum;
 mod wall;
 
-pub(super) use behind::{Behind, behind};
+pub(super) use behind::behind;
 pub(super) use count::counts;
 pub(super) use last::last_step;
 pub(super) use lone::Lone;
-pub(super) use stop::{Early, early_end};
+pub(super) use stop::early_end;
 pub(super) use vacuum::{Vacuum, failures, vacuum};
 pub(super) use wall::wall;

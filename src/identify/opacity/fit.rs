@@ -4,7 +4,6 @@ use super::measure::Point;
 use crate::identify::number::simplest;
 use crate::identify::rule::{Depth, Law, Power, Scale, Shape, Weight};
 use crate::identify::weights::{Answers, Measured};
-use crate::real::Native;
 
 /// A law, and the parameters' brackets.
 #[derive(Clone, Debug)]
@@ -374,10 +373,4 @@ fn share(law: &Law, points: &[Point], answers: &Answers) -> f64 {
     let all: Vec<&Point> = points.iter().filter(says).collect();
     let with = all.iter().filter(|p| has(law, p, answers)).count();
     with as f64 / all.len().max(1) as f64
-}
-
-/// Binary64, in which laws are compared with what was measured.
-#[must_use]
-pub(in crate::identify) fn binary64() -> Native<f64> {
-    Native::new()
 }

@@ -19,7 +19,6 @@ mod sequence;
 mod text;
 
 pub use composed::{Composed, Node};
-pub(super) use composed::{emission, extinction};
 pub use depth::{Depth, Power};
 pub(super) use lattice::plus;
 pub use lattice::{Along, Count, Lattice};

@@ -1,0 +1,148 @@
+//! A kernel from all sides: what it computes, in what that deviates from what it is to be, and a ray that shows it.
+
+use super::deviation::{Deviation, deviations, misbehaviour, right_of};
+use super::rule::{Law, Place, Rule, Scheme, Wall};
+use super::session::{Budget, Spent};
+use super::witness::{Witness, witness};
+use super::{Identification, identify};
+use crate::kernel::{Declaration, Kernel};
+
+/// What was found out about a kernel, and what that means.
+#[derive(Clone, Debug)]
+pub struct Examined {
+    /// What it says of itself.
+    pub declaration: Declaration,
+    /// What it computes.
+    pub found: Identification,
+    /// In what that deviates; empty too where no rule is named.
+    pub deviations: Vec<Deviation>,
+    /// The smallest ray that shows it.
+    pub witness: Option<Witness>,
+    /// Rays asked for the witness.
+    pub searched: Spent,
+}
+
+/// What an examination comes to.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Verdict {
+    /// A rule was identified, and does not deviate.
+    Right,
+    /// A rule was identified, or a part of it, and deviates.
+    Deviates,
+    /// No rule was identified.
+    NotIdentified,
+    /// There was no answer at all.
+    NoAnswer,
+}
+
+impl Verdict {
+    /// In one word, for programs.
+    #[must_use]
+    pub fn name(self) -> &'static str {
+        match self {
+            Verdict::Right => "right",
+            Verdict::Deviates => "deviates",
+            Verdict::NotIdentified => "not-identified",
+            Verdict::NoAnswer => "no-answer",
+        }
+    }
+}
+
+impl Examined {
+    /// What it comes to.
+    #[must_use]
+    pub fn verdict(&self) -> Verdict {
+        let spent = self.found.spent;
+        if spent.rays == spent.unanswered {
+            Verdict::NoAnswer
+        } else if !self.deviations.is_empty() {
+            Verdict::Deviates
+        } else if self.found.named().is_some() {
+            Verdict::Right
+        } else {
+            Verdict::NotIdentified
+        }
+    }
+}
+
+/// Identifies what a kernel computes, and seeks a ray that shows in what that deviates; each may spend the budget.
+pub fn examine(kernel: &mut dyn Kernel, budget: Budget, heard: &mut dyn FnMut(&Spent)) -> Examined {
+    let declaration = kernel.declaration().clone();
+    let found = identify(kernel, budget, heard);
+    let rules = expected(&found, &declaration);
+    let mut all = Vec::new();
+    if let (Some(rule), Some(right)) = (found.named(), rules.first()) {
+        all.extend(deviations(rule, right, &found.brackets));
+    }
+    let excused = |deviation: &Deviation| declaration.stochastic && deviation.name == "seed";
+    all.extend(misbehaviour(&found).into_iter().filter(|d| !excused(d)));
+    let mut examined = Examined {
+        declaration,
+        found,
+        deviations: all,
+        witness: None,
+        searched: Spent::default(),
+    };
+    let wanted = matches!(
+        examined.verdict(),
+        Verdict::Deviates | Verdict::NotIdentified
+    );
+    // Of answers that scatter none shows anything.
+    if wanted && !examined.declaration.stochastic {
+        let misses = &examined.found.hold_out.misses;
+        let from = misses.first().map(|miss| miss.ray.clone());
+        let mut searched = Spent::default();
+        let mut hear = |spent: &Spent| {
+            searched = *spent;
+            heard(spent);
+        };
+        let shown = witness(
+            kernel,
+            &rules,
+            &examined.found,
+            from.as_ref(),
+            budget,
+            &mut hear,
+        );
+        (examined.witness, examined.searched) = (shown, searched);
+    }
+    examined
+}
+
+/// What a kernel is to compute: the rule of the same places without faults, but for what it declares; where no rule is
+/// named, one sample a segment in the place that was found, or in each of the three.
+fn expected(found: &Identification, declaration: &Declaration) -> Vec<Rule> {
+    if let Some(rule) = found.named() {
+        return vec![but_for(right_of(rule), rule, declaration)];
+    }
+    let places = match found.parts.place {
+        Some(place) => vec![place],
+        None => vec![Place::Front, Place::Middle, Place::Back],
+    };
+    let rules = places.into_iter().map(|place| Rule {
+        scheme: Scheme::Sample {
+            place,
+            law: Law::default(),
+        },
+        ..Rule::default()
+    });
+    let rules = rules.map(|rule| Rule {
+        wall: declaration.far_wall.then_some(Wall::Opaque),
+        ..rule
+    });
+    rules.collect()
+}
+
+/// What is declared is no deviation.
+fn but_for(right: Rule, rule: &Rule, declaration: &Declaration) -> Rule {
+    let mut right = right;
+    if declaration.far_wall && rule.wall.is_some() {
+        right.wall = rule.wall;
+    }
+    if let (Some(declared), Some(own)) = (declaration.quantum, rule.output.quantum)
+        && (declared - own).abs() <= 1e-9 * declared
+    {
+        right.output.quantum = Some(own);
+    }
+    right
+}

@@ -1,0 +1,124 @@
+//! Sentences of the report.
+
+use crate::document::Fact;
+use crate::identify::rule::{Law, Rule, Scheme};
+use crate::identify::{Deviation, Examined, Verdict, parts};
+
+pub(super) fn word(verdict: Verdict) -> &'static str {
+    match verdict {
+        Verdict::Right | Verdict::Deviates => "identified",
+        Verdict::NotIdentified => "not identified",
+        Verdict::NoAnswer => "not identified: no answer",
+    }
+}
+
+pub(super) fn conclusion(examined: &Examined) -> String {
+    let named = examined.found.named().is_some();
+    match examined.verdict() {
+        Verdict::Right => "The rule is identified, and does not deviate".into(),
+        Verdict::Deviates => {
+            let all = examined.deviations.iter().map(|deviation| {
+                let value = deviation.value.map(|value| format!(" {}", number(value)));
+                format!("{}{}", deviation.name, value.unwrap_or_default())
+            });
+            let all = all.collect::<Vec<_>>().join(", ");
+            if named {
+                format!("The rule is identified, and deviates: {all}")
+            } else {
+                format!("The rule is not identified; what is known deviates: {all}")
+            }
+        }
+        Verdict::NotIdentified => "The rule is not identified".into(),
+        Verdict::NoAnswer => "The kernel does not answer".into(),
+    }
+}
+
+/// The rule: its sum, and a line for every part that is not plain.
+pub(super) fn formula(rule: &Rule) -> String {
+    let is_plain = matches!(&rule.scheme, Scheme::Sample { law, .. } if *law == Law::default());
+    let sum = if is_plain {
+        "I = Σⱼ Tⱼ αⱼ Cⱼ, αⱼ = 1 − e^(−τⱼ dⱼ), Tⱼ = Π_{k<j} (1 − αₖ)"
+    } else {
+        "I = Σⱼ Tⱼ wⱼ Cⱼ, Tⱼ = Π_{k<j} pₖ"
+    };
+    let parts = parts(rule).into_iter().map(|part| part.words);
+    let lines: Vec<String> = std::iter::once(sum.to_string()).chain(parts).collect();
+    lines.join("\n")
+}
+
+/// In which kinds of rays it holds, and in which not.
+pub(super) fn kinds(examined: &Examined) -> String {
+    let kinds = &examined.found.hold_out.kinds;
+    let of = |holds: bool| -> Vec<&str> {
+        let kinds = kinds.iter().filter(|kind| kind.holds() == holds);
+        kinds.map(|kind| kind.name.as_str()).collect()
+    };
+    let (good, bad) = (of(true), of(false));
+    let mut words = format!("It holds on rays that are {}.", list(&good));
+    if bad.is_empty() {
+        let parted = good.iter().filter(|name| name.ends_with(PARTED)).count();
+        if parted > 0 {
+            // One word for all, where all kinds hold.
+            let whole: Vec<&str> = good
+                .into_iter()
+                .filter(|name| !name.ends_with(PARTED))
+                .collect();
+            words = format!("It holds on rays that are {}", list(&whole));
+            words = format!("{words}; with a last step that is whole, and one that is shorter.");
+        }
+    } else {
+        words = format!("{words} It does not on rays that are {}.", list(&bad));
+    }
+    words
+}
+
+/// What names of kinds end with whose last step is shorter.
+const PARTED: &str = ", shorter last step";
+
+fn list(words: &[&str]) -> String {
+    if words.is_empty() {
+        "of no kind".into()
+    } else {
+        words.join("; ")
+    }
+}
+
+/// What a kernel does, between what its parameter lies, and in place of what.
+pub(super) fn bracketed(deviation: &Deviation) -> String {
+    let mut words = deviation.does.clone();
+    if let Some((low, high)) = deviation.bracket {
+        words = format!("{words} (between {low:?} and {high:?})");
+    }
+    if let Some(other) = &deviation.instead_of {
+        words = format!("{words}, in place of: {other}");
+    }
+    words
+}
+
+/// What was asked.
+pub(super) fn spent(examined: &Examined) -> Vec<Fact> {
+    let found = examined.found.spent;
+    let mut facts = vec![
+        Fact::new("rays", found.rays.to_string()),
+        Fact::new("segments", found.segments.to_string()),
+        Fact::new("the longest", format!("{} segments", found.longest)),
+    ];
+    if found.unanswered > 0 {
+        facts.push(Fact::new("unanswered", found.unanswered.to_string()));
+    }
+    if examined.searched.rays > 0 {
+        let rays = examined.searched.rays.to_string();
+        facts.push(Fact::new("rays for the witness", rays));
+    }
+    facts
+}
+
+/// A number that is neither long nor wrong.
+pub(super) fn number(x: f64) -> String {
+    let size = x.abs();
+    if x.is_finite() && size > 0.0 && !(1e-4..1e6).contains(&size) {
+        format!("{x:e}")
+    } else {
+        x.to_string()
+    }
+}
