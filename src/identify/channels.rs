@@ -8,7 +8,7 @@ use super::session::Session;
 use super::state::State;
 
 /// Extinction of the even rays that ask for the output's map.
-pub(super) const EXTINCTION: f64 = 0.125;
+pub(super) const EXTINCTION: f64 = 0.5;
 /// Their length in segments: loops unrolled by 16 or 3 take all of them.
 pub(super) const SEGMENTS: usize = 48;
 
@@ -37,7 +37,7 @@ pub(super) fn channels(
     session: &mut Session<'_>,
     state: &State,
     noise: f64,
-) -> Result<Channels, NotIdentified> {
+) -> Result<(Channels, Option<NotIdentified>), NotIdentified> {
     let three = constants(session, &[0.125, 0.25, 0.5])?;
     let mut random = Random::new(3);
     let layers = even(session);
@@ -93,15 +93,20 @@ pub(super) fn channels(
         Channels::ReversedByThrees,
         Channels::Reversed,
     ];
-    let fits =
-        |c: &&Channels| rises(**c, &sizes, &seven) && rises(**c, &[0.125, 0.25, 0.5], &three);
-    match all.iter().find(fits) {
-        Some(found) => Ok(*found),
-        None => Err(
-            NotIdentified::new("answers do not rise with the channels' emissions")
-                .with_answers(&[three, seven]),
-        ),
+    let few = |c: &&Channels| rises(**c, &[0.125, 0.25, 0.5], &three);
+    let fits = |c: &&Channels| rises(**c, &sizes, &seven) && few(c);
+    if let Some(found) = all.iter().find(fits) {
+        return Ok((*found, None));
     }
+    let reason = "answers do not rise with the channels' emissions";
+    let straight = all.iter().find(few);
+    let Some(found) = straight.filter(|_| session.limit_channels(three.len())) else {
+        return Err(NotIdentified::new(reason).with_answers(&[three, seven]));
+    };
+    // Three at a time are as they should be: the others are left alone.
+    let reason = format!("with 7 channels at once {reason}, with 3 they do");
+    let odd = NotIdentified::new(reason).with_answers(&[seven]);
+    Ok((*found, Some(odd)))
 }
 
 fn spread(values: &[f64]) -> f64 {

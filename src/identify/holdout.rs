@@ -86,8 +86,10 @@ struct Make {
     /// The largest emission.
     bright: f64,
     what: What,
-    /// How many.
-    rays: usize,
+    /// How many whose steps divide them.
+    whole: usize,
+    /// How many whose last step is shorter.
+    partial: usize,
 }
 
 #[derive(Clone, Copy, PartialEq)]
@@ -106,6 +108,8 @@ enum What {
     Smooth,
     /// The same everywhere.
     Even,
+    /// As many as these, with gaps, that have one name.
+    OneName,
 }
 
 const USUAL: Make = Make {
@@ -115,11 +119,12 @@ const USUAL: Make = Make {
     step: [0.03, 0.9],
     bright: 1.0,
     what: What::Full,
-    rays: 2,
+    whole: 1,
+    partial: 1,
 };
 
 /// The kinds: what tells rules apart that differ on few rays has one of its own.
-const MAKES: [Make; 15] = [
+const MAKES: [Make; 17] = [
     Make {
         name: "smooth",
         segments: [150, 250],
@@ -130,6 +135,8 @@ const MAKES: [Make; 15] = [
         name: "even",
         segments: [20, 60],
         what: What::Even,
+        whole: 1,
+        partial: 0,
         ..USUAL
     },
     Make {
@@ -147,8 +154,15 @@ const MAKES: [Make; 15] = [
         ..USUAL
     },
     Make {
+        name: "very thick",
+        depth: [14.0, 60.0],
+        ..USUAL
+    },
+    Make {
         name: "with gaps",
         what: What::Gaps,
+        whole: 0,
+        partial: 1,
         ..USUAL
     },
     Make {
@@ -159,46 +173,67 @@ const MAKES: [Make; 15] = [
     Make {
         name: "opaque inside",
         what: What::Opaque,
+        whole: 0,
+        partial: 1,
         ..USUAL
     },
     Make {
         name: "of few segments",
         segments: [1, 4],
-        rays: 4,
+        whole: 2,
+        partial: 2,
         ..USUAL
     },
     Make {
         name: "of many segments",
         segments: [41, 64],
+        whole: 0,
+        partial: 1,
         ..USUAL
     },
     Make {
         name: "bright",
         bright: 20.0,
+        whole: 1,
+        partial: 0,
         ..USUAL
     },
     Make {
         name: "short",
         step: [1e-3, 4e-3],
-        rays: 1,
+        whole: 0,
+        partial: 1,
         ..USUAL
     },
     Make {
         name: "long",
         step: [20.0, 60.0],
-        rays: 1,
+        whole: 1,
+        partial: 0,
         ..USUAL
     },
     Make {
         name: "with negative emission",
         what: What::Negative,
-        rays: 1,
+        whole: 1,
+        partial: 0,
         ..USUAL
     },
     Make {
         name: "of very many segments",
         segments: [1_190, 1_210],
-        rays: 1,
+        whole: 1,
+        partial: 0,
+        ..USUAL
+    },
+    // Different rays of one name and one number of segments: what is remembered by these shows.
+    Make {
+        name: "of one name",
+        segments: [24, 24],
+        step: [0.25, 0.25],
+        what: What::OneName,
+        whole: 3,
+        partial: 0,
         ..USUAL
     },
 ];
@@ -228,16 +263,21 @@ pub(super) fn hold_out(
     let mut random = Random::new(97);
     let mut out = HoldOut::default();
     for make in MAKES {
-        let has_gaps = matches!(make.what, What::Gaps | What::EmptyEnd);
+        let has_gaps = matches!(make.what, What::Gaps | What::EmptyEnd | What::OneName);
         if (has_gaps && terms.no_vacuum)
             || (make.what == What::Negative && !terms.negative)
             || (terms.lean && make.segments[0] > 1_000)
         {
             continue;
         }
-        let rays = if terms.lean { 1 } else { make.rays };
-        for (partial, rays) in [(false, rays.div_ceil(2)), (true, rays.div_ceil(2))] {
-            if partial && session.divides {
+        let counts = if session.divides {
+            [(false, make.whole.max(1)), (true, 0)]
+        } else {
+            [(false, make.whole), (true, make.partial)]
+        };
+        for (partial, rays) in counts {
+            let rays = if terms.lean { rays.min(1) } else { rays };
+            if rays == 0 {
                 continue;
             }
             let mut kind = Kind {
@@ -299,11 +339,12 @@ fn ray(
     } else {
         1.0
     };
+    let has_gaps = matches!(make.what, What::Gaps | What::OneName);
     let mut taus = |count: usize| -> Vec<f64> {
         let scale = depth / (n as f64 * step);
         let one = |random: &mut Random| {
             let tau = random.uneven() * scale;
-            if make.what == What::Gaps && random.part() < 0.4 {
+            if has_gaps && random.part() < 0.4 {
                 0.0
             } else {
                 tau
@@ -337,7 +378,7 @@ fn ray(
             let tau = depth / (n as f64 * step);
             (edges, middles) = (vec![tau; n + 1], vec![tau; n]);
         }
-        What::Full | What::Gaps | What::Negative => {}
+        What::Full | What::Gaps | What::Negative | What::OneName => {}
     }
     let bright = make.bright * if partial { 1.0 } else { 4.0 };
     let low = if make.what == What::Negative {
@@ -361,7 +402,11 @@ fn ray(
         edges,
         middles,
     };
-    session.ray(&layers, &emission)
+    let mut ray = session.ray(&layers, &emission);
+    if make.what == What::OneName {
+        ray.name = "probe".into();
+    }
+    ray
 }
 
 /// A wave about 1, with two periods or fewer along the ray.

@@ -100,6 +100,8 @@ pub struct Parts {
     pub unit: Option<f64>,
     /// By what answers to the same question differ.
     pub noise: f64,
+    /// The relative precision of what one segment lets through, where it is coarser than that of the answers.
+    pub grain: f64,
     /// Where one sample a segment lies.
     pub place: Option<Place>,
     /// Rays, or segments, that hold nothing have no finite answer.
@@ -173,7 +175,8 @@ fn run(session: &mut Session<'_>, found: &mut Identification) -> Result<(), NotI
     let (state, noise) = state::state(session)?;
     found.parts.noise = noise;
     found.state = Some(state.clone());
-    let channels = channels::channels(session, &state, noise)?;
+    let (channels, odd) = channels::channels(session, &state, noise)?;
+    found.not_identified.extend(odd);
     session.channels = channels;
     found.parts.channels = Some(channels);
     let mapped = output::output(session, &state, noise)?;
@@ -220,6 +223,7 @@ fn run(session: &mut Session<'_>, found: &mut Identification) -> Result<(), NotI
         (false, true) => Some(VacuumFails::Ray),
         (false, false) => None,
     };
+    found.parts.grain = sampled.grain;
     let answers = Answers {
         grain: sampled.grain,
         ..answers

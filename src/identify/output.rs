@@ -28,6 +28,8 @@ pub(super) struct Mapped {
 const ONE_LARGE: f64 = 1e4;
 /// Residuals that change sign so often have no trend.
 const CHANGES: f64 = 0.25;
+/// Some hundred times the least number of binary16.
+const SUBNORMAL: f64 = 2e-5;
 /// Scatter without a trend up to this is noise.
 const MOST_SCATTER: f64 = 1e-3;
 
@@ -271,6 +273,8 @@ fn bent(answers: &Answers, curve: Curve, curved: &Curved) -> Bent {
         let rounding = 256.0 * answers.unit * y.abs() + answers.noise * y.abs() + 4.0 * steep;
         let rounding = rounding + 1e-300;
         let rounding = rounding + quantum.map_or(0.0, |q| 2.01 * q);
+        // What is left of small terms where numbers end.
+        let rounding = rounding + if answers.unit > 1e-4 { SUBNORMAL } else { 0.0 };
         bent.worst = bent.worst.max((residual / rounding).abs());
         bent.relative = bent.relative.max((residual / (y.abs() + 1e-9)).abs());
         residuals.push(residual);

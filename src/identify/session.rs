@@ -69,6 +69,9 @@ pub enum Silence {
     },
 }
 
+/// Channels that every renderer takes.
+const FEW: usize = 3;
+
 /// The answers of channels, where they stand, and the opacity.
 pub(super) type Answer = (Vec<f64>, Option<f64>);
 
@@ -123,14 +126,11 @@ impl<'k> Session<'k> {
         }
     }
 
-    /// The most channels of one ray.
-    pub(super) fn most_channels(&self) -> usize {
-        self.budget.channels
-    }
-
-    /// No ray gets more channels than that any more.
-    pub(super) fn limit_channels(&mut self, most: usize) {
+    /// No ray gets more channels than that any more; whether it got more before.
+    pub(super) fn limit_channels(&mut self, most: usize) -> bool {
+        let is_less = most < self.budget.channels;
         self.budget.channels = self.budget.channels.min(most.max(1));
+        is_less
     }
 
     /// A name that no ray had.
@@ -260,18 +260,36 @@ impl<'k> Session<'k> {
         count: usize,
         mut once: impl FnMut(&mut Self, Range<usize>) -> Result<Answer, Silence>,
     ) -> Result<Vec<f64>, Silence> {
-        let most = self.budget.channels;
         let mut answers = Vec::with_capacity(count);
-        for start in (0..count).step_by(most) {
-            let end = (start + most).min(count);
-            if self.twice {
-                once(self, start..end)?;
-            }
-            let (y, opacity) = once(self, start..end)?;
+        while answers.len() < count {
+            let start = answers.len();
+            let end = (start + self.budget.channels).min(count);
+            let answer = match self.heard_out(start..end, &mut once) {
+                // It may be the number of channels that it does not take.
+                Err(Silence::Kernel { .. }) if end - start > FEW => {
+                    let fewer = self.heard_out(start..start + FEW, &mut once)?;
+                    self.limit_channels(FEW);
+                    fewer
+                }
+                answer => answer?,
+            };
+            let (y, opacity) = answer;
             self.opacity = opacity;
-            let count = end - start;
+            let count = y.len();
             answers.extend((0..count).map(|k| y[self.channels.place(k, count)]));
         }
         Ok(answers)
+    }
+
+    /// The answer that counts.
+    fn heard_out(
+        &mut self,
+        range: Range<usize>,
+        once: &mut impl FnMut(&mut Self, Range<usize>) -> Result<Answer, Silence>,
+    ) -> Result<Answer, Silence> {
+        if self.twice {
+            once(self, range.clone())?;
+        }
+        once(self, range)
     }
 }

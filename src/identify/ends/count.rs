@@ -10,7 +10,7 @@ use crate::identify::weights::nodes_of;
 use crate::identify::weights::weights;
 
 /// Numbers of segments whose samples are counted.
-const SMALL: [usize; 8] = [1, 2, 3, 5, 8, 9, 13, 17];
+const SMALL: [usize; 5] = [1, 3, 5, 13, 17];
 /// Where loops have fewer questions to spend.
 const LEAN: [usize; 3] = [1, 7, 13];
 /// Groups that loops are unrolled by.

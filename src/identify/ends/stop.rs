@@ -3,7 +3,7 @@
 use super::Lone;
 use crate::identify::NotIdentified;
 use crate::identify::number::simplest;
-use crate::identify::rule::{Sequence, Stop, StopBy};
+use crate::identify::rule::{Sequence, Stop, StopBy, Whole};
 use crate::identify::session::Session;
 use crate::identify::weights::Measured;
 
@@ -379,15 +379,20 @@ fn renormalised(
     let (weight, passes) = lone.of(tau, length, ray);
     let skipped = usize::from(lone.measurer.samples.sequence.late);
     let seen = if skipped == 1 { 1.0 } else { passes };
-    let factor = found[1] / (weight * seen);
+    let count = found.iter().filter(|w| **w != 0.0).count();
+    let end = passes.powi(i32::try_from(count).unwrap_or(i32::MAX));
+    let whole = match lone.measurer.whole {
+        Whole::One => 1.0,
+        Whole::ByOpacity => 1.0 / (1.0 - end),
+        Whole::TimesOpacity => 1.0 - end,
+    };
+    let factor = found[1] / (weight * seen * whole);
     let slack = 1e-6 + 64.0 * lone.measurer.answers.unit;
     let first = lone.measurer.samples.sequence.first;
     let is_plain = first == crate::identify::rule::End::Once;
     if lone.measurer.answers.is_coarse() || !is_plain || (factor - 1.0).abs() <= slack {
         return Ok(false);
     }
-    let count = found.iter().filter(|w| **w != 0.0).count();
-    let end = passes.powi(i32::try_from(count).unwrap_or(i32::MAX));
     if (factor * (1.0 - end) - 1.0).abs() <= slack {
         return Ok(true);
     }

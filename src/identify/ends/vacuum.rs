@@ -4,7 +4,7 @@ use crate::identify::NotIdentified;
 use crate::identify::number::simplest;
 use crate::identify::opacity::measure::Measurer;
 use crate::identify::ray::{Emission, Layers};
-use crate::identify::session::Session;
+use crate::identify::session::{Session, Silence};
 
 /// What empty segments do.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -80,7 +80,12 @@ pub(in crate::identify) fn failures(
             layers.edges[3] = 0.0;
         }
         let ray = session.ray(&layers, &[Emission::even(n, 0.5)]);
-        let finite = session.ask_any(&ray)?.iter().all(|y| y.is_finite());
+        let finite = match session.ask_any(&ray) {
+            Ok(y) => y.iter().all(|y| y.is_finite()),
+            // A division by nothing may be an error as well.
+            Err(Silence::Kernel { .. }) => false,
+            Err(silence) => return Err(silence.into()),
+        };
         if is_whole {
             vacuum.whole_fails = !finite;
         } else {

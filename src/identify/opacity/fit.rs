@@ -35,9 +35,9 @@ struct Common {
 }
 
 /// The value on which most agree, within three times their errors.
-fn common(all: &[Measured]) -> Option<Common> {
+fn common(all: &[Measured], worst: f64) -> Option<Common> {
     let usable =
-        |m: &&Measured| m.value.is_finite() && m.value != 0.0 && m.error <= WORST * m.value.abs();
+        |m: &&Measured| m.value.is_finite() && m.value != 0.0 && m.error <= worst * m.value.abs();
     let good: Vec<Measured> = all.iter().filter(usable).copied().collect();
     let agree = |center: &Measured, m: &&Measured| {
         (m.value - center.value).abs() <= 3.0 * (m.error + center.error)
@@ -159,14 +159,16 @@ pub(in crate::identify) fn laws(points: &[Point], eps: f64, answers: &Answers) -
         })
         .collect();
     let points = points.as_slice();
-    for (shape, depth, bracket) in passing(points, eps) {
+    // In narrow formats nothing is known well.
+    let worst = WORST.max(200.0 * answers.unit.max(answers.grain)).min(0.3);
+    for (shape, depth, bracket) in passing(points, eps, worst) {
         let base = Law {
             depth,
             shape,
             eps,
             ..Law::default()
         };
-        for (weight, scale, of_scale) in weighing(&base, points) {
+        for (weight, scale, of_scale) in weighing(&base, points, worst) {
             let law = Law {
                 weight,
                 scale: Scale(scale),
@@ -228,7 +230,7 @@ fn round(share: f64) -> f64 {
 }
 
 /// Shapes of p with their depths, those that most points have first.
-fn passing(points: &[Point], eps: f64) -> Vec<(Shape, Depth, (f64, f64))> {
+fn passing(points: &[Point], eps: f64, worst: f64) -> Vec<(Shape, Depth, (f64, f64))> {
     if is_clear(points) {
         return vec![(Shape::Clear, Depth::default(), (1.0, 1.0))];
     }
@@ -242,7 +244,9 @@ fn passing(points: &[Point], eps: f64) -> Vec<(Shape, Depth, (f64, f64))> {
                 .iter()
                 .map(|p| factor(shape, powers, p, eps))
                 .collect();
-            let Some(common) = common(&of) else { continue };
+            let Some(common) = common(&of, worst) else {
+                continue;
+            };
             if common.count < FEWEST_POINTS {
                 continue;
             }
@@ -259,7 +263,7 @@ fn passing(points: &[Point], eps: f64) -> Vec<(Shape, Depth, (f64, f64))> {
 }
 
 /// Weights with their scale and its bracket.
-fn weighing(base: &Law, points: &[Point]) -> Vec<(Weight, f64, (f64, f64))> {
+fn weighing(base: &Law, points: &[Point], worst: f64) -> Vec<(Weight, f64, (f64, f64))> {
     let mut forms: Vec<Weight> = Vec::new();
     let of = |halves: i8| Power { halves };
     if base.shape != Shape::Clear {
@@ -307,7 +311,7 @@ fn weighing(base: &Law, points: &[Point]) -> Vec<(Weight, f64, (f64, f64))> {
                 }
             })
             .collect();
-        let Some(common) = common(&scales) else {
+        let Some(common) = common(&scales, worst) else {
             continue;
         };
         if common.count >= FEWEST_POINTS {
@@ -329,7 +333,9 @@ fn weighing(base: &Law, points: &[Point]) -> Vec<(Weight, f64, (f64, f64))> {
                     }
                 })
                 .collect();
-            let Some(common) = common(&of) else { continue };
+            let Some(common) = common(&of, worst) else {
+                continue;
+            };
             if common.count >= FEWEST_POINTS {
                 let (low, high) = (common.value - common.error, common.value + common.error);
                 let depth = depth_with(powers, simplest(low, high));

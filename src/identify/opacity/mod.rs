@@ -7,6 +7,7 @@ mod table;
 
 use super::NotIdentified;
 use super::session::Session;
+use super::weights::{Answers, Measured};
 use fit::{Fitted, laws};
 use measure::{Measurer, Point, Reference};
 
@@ -57,13 +58,21 @@ const LENGTHS: [f64; 4] = [0.25, 1.0, 0.0625, 0.7];
 const REACH: [f64; 2] = [1e-6, 0.3];
 /// Extinctions of the longest rays.
 const MANY: usize = 18;
-/// Depths of single thick segments, by length.
-const THICK: [(f64, &[f64]); 2] = [
+/// Depths of thick segments, by length: those that share a ray let enough through together.
+const THICK: [(f64, &[&[f64]]); 2] = [
     (
         1.0,
-        &[0.5, 0.8, 1.2, 1.7, 2.3, 3.0, 4.0, 5.5, 8.0, 12.0, 20.0],
+        &[
+            &[0.5, 1.2],
+            &[0.8, 1.7],
+            &[2.3],
+            &[4.0],
+            &[8.0],
+            &[12.0],
+            &[20.0],
+        ],
     ),
-    (0.25, &[0.6, 1.0, 1.5, 2.5, 4.7, 9.0]),
+    (0.25, &[&[0.6, 1.5], &[1.0, 2.5], &[4.7], &[9.0]]),
 ];
 
 /// Significant bits of lengths: all, or those of a narrow format.
@@ -76,6 +85,46 @@ fn with_bits(point: &Point, bits: Option<u32>) -> Point {
         length: bits.map_or(point.length, rounded),
         ..*point
     }
+}
+
+/// Units of formats that opacities may be computed in though answers have more digits.
+const UNITS: [f64; 2] = [1.0 / 16_777_216.0, 1.0 / 2048.0];
+
+/// A law that all points have but for rounding in a narrower format.
+fn rounded(measurer: &Measurer<'_>, measured: &Measurements, eps: f64) -> Option<Fitted> {
+    for unit in UNITS {
+        if unit < 8.0 * measurer.answers.unit {
+            continue;
+        }
+        // An opacity by subtraction is off by a unit of 1, and one by a product by a unit of itself.
+        let loose = |m: Measured| Measured {
+            error: m.error + 2.0 * unit,
+            ..m
+        };
+        let points: Vec<Point> = measured
+            .points
+            .iter()
+            .map(|p| Point {
+                weight: loose(p.weight),
+                passes: loose(p.passes),
+                ..*p
+            })
+            .collect();
+        let answers = Answers {
+            grain: 4.0 * unit,
+            ..measurer.answers.clone()
+        };
+        let whole = laws(&points, eps, &answers)
+            .into_iter()
+            .find(|f| f.share > 0.999);
+        if let Some(fitted) = whole {
+            return Some(Fitted {
+                grain: 4.0 * unit,
+                ..fitted
+            });
+        }
+    }
+    None
 }
 
 /// Laws whose range is looked for.
@@ -105,16 +154,20 @@ pub(super) fn measure(
             continue;
         };
         let every = if lean { 3 } else { 1 };
-        for depth in depths.iter().step_by(every) {
+        for depths in depths.iter().step_by(every) {
             let typical = reference.extinction * 32.0;
             // References of kernels with another unit of length are far from depth 1/32.
-            let tau = if typical * length < 8.0 {
-                depth * typical
-            } else {
-                depth / length
+            let tau = |depth: &f64| {
+                if typical * length < 8.0 {
+                    depth * typical
+                } else {
+                    depth / length
+                }
             };
-            let found = measurer.points(session, &reference, &[tau])?;
-            points.extend(found.into_iter().take(1));
+            // The thinner one stands in front of the thicker one.
+            let taus: Vec<f64> = depths.iter().rev().map(tau).collect();
+            let found = measurer.points(session, &reference, &taus)?;
+            points.extend(found.into_iter().take(taus.len()));
         }
     }
     Ok(Measurements { points, references })
@@ -150,6 +203,9 @@ pub(super) fn law(
     let is_wide = measurer.answers.unit < 1e-6 && measurer.answers.noise < 1e-6;
     if is_wide && let Some(looked_up) = table::table(session, measurer, measured)? {
         return Ok(looked_up);
+    }
+    if let Some(rounded) = rounded(measurer, measured, eps) {
+        return Ok(rounded);
     }
     Err(reasons
         .into_iter()
