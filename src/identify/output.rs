@@ -130,11 +130,15 @@ fn cut_above(
     }
     let layers = even(session);
     let n = layers.count();
-    let mut front = Emission::even(n, 0.0);
-    let mut middle = Emission::even(n, 0.0);
-    front.edges[n / 2] = ONE_LARGE;
-    middle.middles[n / 2] = ONE_LARGE;
-    let ray = session.ray(&layers, &[front, middle]);
+    // Near the eye, in the middle, and far from it: little may shine through.
+    let mut large = Vec::new();
+    for at in [1, n / 2, n - 2] {
+        let (mut edge, mut middle) = (Emission::even(n, 0.0), Emission::even(n, 0.0));
+        edge.edges[at] = ONE_LARGE;
+        middle.middles[at] = ONE_LARGE;
+        large.extend([edge, middle]);
+    }
+    let ray = session.ray(&layers, &large);
     let lit = session.ask(&ray)?;
     let keep = curved.y.iter().filter(|y| **y < top).count();
     let reached = lit.iter().fold(f64::NEG_INFINITY, |m, y| m.max(*y));

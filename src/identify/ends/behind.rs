@@ -49,7 +49,11 @@ pub(in crate::identify) fn behind(
         let taus = vec![tau; n];
         let layers = Layers::of(length, &taus);
         let ray = session.ray(&layers, &[Emission::even(n, 0.0)]);
-        let y = session.ask(&ray)?;
+        let y = session.ask_any(&ray)?;
+        if !y[0].is_finite() {
+            // 0/0, where the ray's opacity divides.
+            continue;
+        }
         let composed = rule.composed(&ray.segments, ray.step, crate::real::Native::<f64>::new());
         let y = answers.radiance(y[0]);
         rows.push((composed.passes, y.value, y.error));
@@ -64,9 +68,15 @@ pub(in crate::identify) fn behind(
         NotIdentified::new("answers without emission are no background and no constant")
             .with_rows(&["let through", "answer", "error"], rows)
     };
-    // y = offset + background p, by the first and the last.
-    let first = if has_vacuum { rows[4] } else { rows[0] };
-    let last = rows[3];
+    // y = offset + background p, by those that let the most and the least through.
+    let by_passes = |u: &&(f64, f64, f64), v: &&(f64, f64, f64)| u.0.total_cmp(&v.0);
+    let ends = (rows.iter().max_by(by_passes), rows.iter().min_by(by_passes));
+    let (Some(&first), Some(&last)) = ends else {
+        return Err(failed());
+    };
+    if rows.len() < 3 {
+        return Err(failed());
+    }
     if (first.0 - last.0).abs() < 1e-9 {
         // Nothing absorbs: behind or in front, no probe can tell.
         let same = rows.iter().all(|(_, y, _)| (y - first.1).abs() <= slack);

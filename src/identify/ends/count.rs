@@ -76,7 +76,7 @@ pub(in crate::identify) fn counts(
         sequence = found;
     }
     let by_weight = rule.stop.is_some_and(|stop| stop.by == StopBy::Weight);
-    if !sequence.swapped && !lean && !by_weight {
+    if !lean && !by_weight {
         sequence.most = most(session, lone, rule, &sequence)?;
     }
     Ok(sequence)

@@ -3,7 +3,7 @@
 use super::Lone;
 use crate::identify::NotIdentified;
 use crate::identify::number::simplest;
-use crate::identify::rule::{Sequence, Stop, StopBy, Whole};
+use crate::identify::rule::{Place, Sequence, Stop, StopBy, Whole};
 use crate::identify::session::Session;
 use crate::identify::weights::Measured;
 
@@ -283,7 +283,13 @@ fn trial(
     let w = lone.measurer.weights(session, taus, length)?;
     let order = order(&sequence, n);
     let (mut after, mut weights) = (Vec::new(), Vec::new());
-    let mut passes = 1.0;
+    // One sample too many stands in front of all at the back of segments.
+    let is_behind = lone.measurer.samples.place == Place::Back && sequence.extra.is_some();
+    let mut passes = if is_behind && !sequence.swapped {
+        lone.of(taus[0], length, ray).1
+    } else {
+        1.0
+    };
     for &k in &order {
         let (weight, through) = lone.of(taus[k], length, ray);
         weights.push(weight * passes);
@@ -378,7 +384,13 @@ fn renormalised(
     let ray = n as f64 * length;
     let (weight, passes) = lone.of(tau, length, ray);
     let skipped = usize::from(lone.measurer.samples.sequence.late);
-    let seen = if skipped == 1 { 1.0 } else { passes };
+    let sequence = &lone.measurer.samples.sequence;
+    let is_behind = lone.measurer.samples.place == Place::Back && sequence.extra.is_some();
+    let seen = match (skipped == 1, is_behind) {
+        (true, false) => 1.0,
+        (true, true) | (false, false) => passes,
+        (false, true) => passes * passes,
+    };
     let count = found.iter().filter(|w| **w != 0.0).count();
     let end = passes.powi(i32::try_from(count).unwrap_or(i32::MAX));
     let whole = match lone.measurer.whole {

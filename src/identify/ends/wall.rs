@@ -3,7 +3,7 @@
 use super::Lone;
 use crate::identify::NotIdentified;
 use crate::identify::number::simplest;
-use crate::identify::rule::{Wall, Weight};
+use crate::identify::rule::Wall;
 use crate::identify::session::Session;
 
 /// Extinctions of the last segment, from one that a wall of any length is opaque at.
@@ -48,27 +48,37 @@ pub(in crate::identify) fn wall(
     if full.iter().all(is_one) && is_none(empty) {
         return Ok((Wall::Opaque, none));
     }
-    // A length: −ln(1 − part)/τ is the same wherever it can be told.
-    if lone.law.weight != Weight::default() || !is_none(empty) {
+    // A length: the same wherever it can be told.
+    if !is_none(empty) {
         return Err(failed);
     }
-    let lengths = full
+    let of = |tau: f64, length: f64| lone.of(tau, length, ray).0 / lone.law.scale.0;
+    let told = full
         .iter()
         .filter(|(_, part, _)| *part > 1e-3 && *part < 0.999);
-    let lengths: Vec<(f64, f64)> = lengths
-        .map(|(tau, part, error)| {
-            let x = lone.law.shape.depth(*part, 1.0 - part);
-            let bare = lone.law.depth.of(tau, &1.0, &ray);
-            (x / bare, (3.0 * error + slack) / (1.0 - part) / bare)
-        })
-        .collect();
-    let Some(&(length, error)) = lengths.first() else {
+    let Some((tau, part, error)) = told.clone().next() else {
         return Err(failed);
     };
-    let agree = lengths.iter().all(|(l, e)| (l - length).abs() <= e + error);
-    if !agree {
+    let reach = |part: f64| {
+        let (mut low, mut high) = (1e-6_f64, 1e18_f64);
+        for _ in 0..120 {
+            let middle = (low * high).sqrt();
+            if of(*tau, middle) < part {
+                low = middle;
+            } else {
+                high = middle;
+            }
+        }
+        high
+    };
+    let width = 3.0 * error + 1e-9 + 64.0 * lone.measurer.answers.unit;
+    let bracket = (reach(part - width), reach(part + width));
+    let length = simplest(bracket.0, bracket.1);
+    let fits = |(tau, part, error): &(f64, f64, f64)| {
+        (of(*tau, length) - part).abs() <= 3.0 * error + slack
+    };
+    if !full.iter().all(fits) {
         return Err(failed);
     }
-    let bracket = (length - error, length + error);
-    Ok((Wall::Length(simplest(bracket.0, bracket.1)), bracket))
+    Ok((Wall::Length(length), bracket))
 }

@@ -372,7 +372,9 @@ pub(in crate::identify) fn has(law: &Law, point: &Point, answers: &Answers) -> b
 /// The part of the points that have it, of those that say anything.
 fn share(law: &Law, points: &[Point], answers: &Answers) -> f64 {
     let says = |p: &&Point| {
+        // Where a ray ends its last weight may be cut.
         p.weight.value.is_finite()
+            && p.passes.value.is_finite()
             && (p.weight.value.abs() > 3.0 * p.weight.error
                 || (p.passes.value - 1.0).abs() > 3.0 * p.passes.error)
     };

@@ -6,6 +6,7 @@ mod range;
 mod table;
 
 use super::NotIdentified;
+use super::rule::Law;
 use super::session::Session;
 use super::weights::{Answers, Measured};
 use fit::{Fitted, laws};
@@ -116,7 +117,7 @@ fn rounded(measurer: &Measurer<'_>, measured: &Measurements, eps: f64) -> Option
         };
         let whole = laws(&points, eps, &answers)
             .into_iter()
-            .find(|f| f.share > 0.999);
+            .find(|f| f.share > 0.999 && is_rounding(&f.law, measured, unit));
         if let Some(fitted) = whole {
             return Some(Fitted {
                 grain: 4.0 * unit,
@@ -125,6 +126,26 @@ fn rounded(measurer: &Measurer<'_>, measured: &Measurements, eps: f64) -> Option
         }
     }
     None
+}
+
+/// Whether measured weights lie about a law as rounding leaves them: off by parts of a unit, on either side by turns.
+fn is_rounding(law: &Law, measured: &Measurements, unit: f64) -> bool {
+    let mut off: Vec<(f64, f64)> = measured
+        .points
+        .iter()
+        .filter(|p| p.weight.error < unit / 8.0 && p.weight.value.is_finite())
+        .map(|p| {
+            let (weight, _) = law.of(&p.extinction, &p.length, &p.ray);
+            (p.extinction * p.length, p.weight.value - weight)
+        })
+        .collect();
+    off.sort_by(|u, v| u.0.total_cmp(&v.0));
+    let seen = off
+        .iter()
+        .filter(|(_, off)| off.abs() > unit / 16.0)
+        .count();
+    let turns = off.windows(2).filter(|w| w[0].1 * w[1].1 < 0.0).count();
+    3 * seen > off.len() && 4 * turns > off.len()
 }
 
 /// Laws whose range is looked for.

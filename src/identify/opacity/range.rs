@@ -257,7 +257,16 @@ impl Search<'_, '_, '_> {
             let is_one = (p.weight.value / law.scale.0 - 1.0).abs() <= near_one;
             (deep && is_one).then_some((1.0, near_one))
         };
-        let top: Vec<&Point> = wrong.iter().filter(|p| opacity(p).is_some()).collect();
+        // What is let through has left the law, not only the weight.
+        let leaves = |p: &&Point| {
+            let (_, passes) = law.of(&p.extinction, &p.length, &p.ray);
+            let off = (p.passes.value - passes).abs();
+            off.is_nan() || off > 3.0 * p.passes.error + 16.0 * answers.unit + answers.noise
+        };
+        let top: Vec<&Point> = wrong
+            .iter()
+            .filter(|p| opacity(p).is_some() && leaves(p))
+            .collect();
         if top.len() < 2 {
             return Ok(None);
         }
