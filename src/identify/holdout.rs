@@ -2,7 +2,7 @@
 
 use super::random::Random;
 use super::ray::{Emission, Layers, Ray};
-use super::rule::{Rule, Whole};
+use super::rule::{Rule, Scheme, Whole};
 use super::session::{Session, Silence};
 use super::weights::Answers;
 use crate::kernel::Segments;
@@ -74,6 +74,9 @@ impl HoldOut {
     }
 }
 
+/// The depth of a segment that is a wall.
+const WALL: f64 = 1e5;
+
 /// How rays of a kind are made.
 #[derive(Clone, Copy)]
 struct Make {
@@ -100,8 +103,12 @@ enum What {
     Gaps,
     /// The last segment holds nothing; or the first.
     EmptyEnd,
-    /// One segment hides all behind it.
-    Opaque,
+    /// One segment of that depth hides all behind it.
+    Opaque(f64),
+    /// The last step is a small part of the others.
+    ShortLast,
+    /// All but the same everywhere.
+    NearlyEven,
     /// Emissions of both signs.
     Negative,
     /// Extinctions and emissions that change slowly, as those of users do.
@@ -124,11 +131,13 @@ const USUAL: Make = Make {
 };
 
 /// The kinds: what tells rules apart that differ on few rays has one of its own.
-const MAKES: [Make; 17] = [
+const MAKES: [Make; 24] = [
     Make {
         name: "smooth",
         segments: [150, 250],
         what: What::Smooth,
+        whole: 0,
+        partial: 1,
         ..USUAL
     },
     Make {
@@ -140,8 +149,25 @@ const MAKES: [Make; 17] = [
         ..USUAL
     },
     Make {
+        name: "nearly even",
+        segments: [50, 70],
+        what: What::NearlyEven,
+        whole: 1,
+        partial: 0,
+        ..USUAL
+    },
+    Make {
         name: "thin",
         depth: [1e-3, 0.02],
+        whole: 0,
+        partial: 1,
+        ..USUAL
+    },
+    Make {
+        name: "nearly empty",
+        depth: [1e-9, 1e-6],
+        whole: 1,
+        partial: 0,
         ..USUAL
     },
     Make {
@@ -150,12 +176,16 @@ const MAKES: [Make; 17] = [
     },
     Make {
         name: "thick",
-        depth: [3.0, 40.0],
+        depth: [3.0, 14.0],
+        whole: 1,
+        partial: 0,
         ..USUAL
     },
     Make {
         name: "very thick",
         depth: [14.0, 60.0],
+        whole: 0,
+        partial: 1,
         ..USUAL
     },
     Make {
@@ -172,16 +202,28 @@ const MAKES: [Make; 17] = [
     },
     Make {
         name: "opaque inside",
-        what: What::Opaque,
+        what: What::Opaque(36.0),
         whole: 0,
         partial: 1,
         ..USUAL
     },
     Make {
+        name: "opaque as a wall inside",
+        what: What::Opaque(WALL),
+        whole: 1,
+        partial: 0,
+        ..USUAL
+    },
+    Make {
+        name: "of one segment",
+        segments: [1, 1],
+        ..USUAL
+    },
+    Make {
         name: "of few segments",
-        segments: [1, 4],
-        whole: 2,
-        partial: 2,
+        segments: [2, 4],
+        whole: 0,
+        partial: 1,
         ..USUAL
     },
     Make {
@@ -192,8 +234,29 @@ const MAKES: [Make; 17] = [
         ..USUAL
     },
     Make {
+        name: "with next to nothing as a last step",
+        what: What::ShortLast,
+        whole: 0,
+        partial: 2,
+        ..USUAL
+    },
+    Make {
         name: "bright",
         bright: 20.0,
+        whole: 1,
+        partial: 0,
+        ..USUAL
+    },
+    Make {
+        name: "glaring",
+        bright: 2e4,
+        whole: 0,
+        partial: 1,
+        ..USUAL
+    },
+    Make {
+        name: "dim",
+        bright: 2e-5,
         whole: 1,
         partial: 0,
         ..USUAL
@@ -267,6 +330,8 @@ pub(super) fn hold_out(
         if (has_gaps && terms.no_vacuum)
             || (make.what == What::Negative && !terms.negative)
             || (terms.lean && make.segments[0] > 1_000)
+            // Quadratures inside segments have their own end.
+            || (make.what == What::Opaque(WALL) && matches!(rule.scheme, Scheme::Segments { .. }))
         {
             continue;
         }
@@ -284,7 +349,11 @@ pub(super) fn hold_out(
                 name: format!(
                     "{}{}",
                     make.name,
-                    if partial { ", shorter last step" } else { "" }
+                    if partial && make.what != What::ShortLast {
+                        ", shorter last step"
+                    } else {
+                        ""
+                    }
                 ),
                 rays: 0,
                 agree: 0,
@@ -407,7 +476,10 @@ fn ray(
     let [short, long] = make.step;
     let step = random.geometric(short, long);
     let last = if partial {
-        random.within(0.2, 0.9)
+        match make.what {
+            What::ShortLast => random.geometric(2e-3, 0.1),
+            _ => random.within(0.15, 0.95),
+        }
     } else {
         1.0
     };
@@ -433,9 +505,9 @@ fn ray(
                 (edges[0], middles[0]) = (0.0, 0.0);
             }
         }
-        What::Opaque => {
+        What::Opaque(depth) => {
             let at = n / 3;
-            let opaque = 36.0 * terms.typical / step;
+            let opaque = depth * terms.typical / step;
             (edges[at], edges[at + 1], middles[at]) = (opaque, opaque, opaque);
         }
         What::Smooth => {
@@ -450,7 +522,12 @@ fn ray(
             let tau = depth / (n as f64 * step);
             (edges, middles) = (vec![tau; n + 1], vec![tau; n]);
         }
-        What::Full | What::Gaps | What::Negative | What::OneName => {}
+        What::NearlyEven => {
+            let tau = depth / (n as f64 * step);
+            edges = (0..=n).map(|_| tau * random.within(0.995, 1.005)).collect();
+            middles = (0..n).map(|_| tau * random.within(0.995, 1.005)).collect();
+        }
+        What::Full | What::Gaps | What::Negative | What::OneName | What::ShortLast => {}
     }
     let bright = make.bright * if partial { 1.0 } else { 4.0 };
     let low = if make.what == What::Negative {
@@ -465,6 +542,7 @@ fn ray(
                 Emission::of(n, |i| 0.5 * bright * wave(i / n as f64))
             }
             What::Even => Emission::even(n, random.within(low, bright)),
+            What::NearlyEven => Emission::of(n, |_| bright * random.within(0.995, 1.005)),
             _ => Emission::of(n, |_| random.within(low, bright)),
         })
         .collect();
@@ -475,6 +553,8 @@ fn ray(
         middles,
     };
     let mut ray = session.ray(&layers, &emission);
+    // What hangs on the seed at times only.
+    ray.seed = random.integer(1, 1_000_000) as u64;
     if make.what == What::OneName {
         ray.name = "probe".into();
     }

@@ -1,10 +1,10 @@
 //! What an extinction acts on: which weights change when one is raised.
 
 use super::NotIdentified;
-use super::places::{Even, STEP, Samples};
+use super::places::{Even, STEP, Samples, weight_of};
 use super::random::Random;
 use super::ray::Layers;
-use super::rule::{Place, Whole};
+use super::rule::{Node, Place, Whole};
 use super::session::Session;
 use super::weights::{Answers, Measured, nodes_of, weights};
 
@@ -61,14 +61,8 @@ pub(super) fn influence(
     let taus = vec![even.extinction; n];
     let mut random = Random::new(23);
     let others = random.many(n, 0.25 * even.extinction, 5.0 * even.extinction);
-    let base = weights(
-        session,
-        answers,
-        &layers_at(place, STEP, &taus, &taus),
-        &nodes,
-        &[],
-    )?
-    .of;
+    let weight = |node: &Node| weight_of(&even.weights, n, *node);
+    let base: Vec<Measured> = nodes.iter().map(weight).collect();
     let mixed = weights(
         session,
         answers,

@@ -66,7 +66,12 @@ pub(super) fn output(
     if y.windows(2)
         .any(|w| w[1] - w[0] < -2.0 * noise * w[1].abs())
     {
-        return Err(NotIdentified::new("answers do not rise with the emission").with_curve(&c, &y));
+        let reason = if noise > 0.0 {
+            "answers scatter too much to tell how they rise with the emission"
+        } else {
+            "answers do not rise with the emission"
+        };
+        return Err(NotIdentified::new(reason).with_curve(&c, &y));
     }
     let negative = constants(session, &[-0.5, -0.25, -0.125]).ok();
     let mut answers = Answers {

@@ -35,17 +35,9 @@ pub(in crate::identify) fn behind(
         .next_multiple_of(session.multiple);
     let length = 0.25;
     let mut rows = Vec::new();
-    let mut taus = vec![
-        1e-9 * reference,
-        8.0 * reference,
-        24.0 * reference,
-        400.0 * reference,
-    ];
-    if has_vacuum {
-        // Before a wall only what holds nothing lets anything through.
-        taus.push(0.0);
-    }
-    for tau in taus {
+    // Before a wall only what holds nothing lets anything through.
+    let least = if has_vacuum { 0.0 } else { 1e-9 * reference };
+    for tau in [least, 8.0 * reference, 400.0 * reference] {
         let taus = vec![tau; n];
         let layers = Layers::of(length, &taus);
         let ray = session.ray(&layers, &[Emission::even(n, 0.0)]);

@@ -28,16 +28,21 @@ pub(in crate::identify) fn vacuum(
     measurer: &Measurer<'_>,
     tau: f64,
 ) -> Result<Vacuum, NotIdentified> {
-    let mut vacuum = failures(session, tau)?;
-    if vacuum.part_fails || measurer.answers.is_coarse() {
-        return Ok(vacuum);
+    if measurer.answers.is_coarse() {
+        return failures(session, tau);
     }
     let n = measurer.suitable(session, EMPTY + 6);
     let mut taus = vec![0.0; n];
     for k in [0, 1, 2, n - 3, n - 2, n - 1] {
         taus[k] = tau;
     }
-    let w = measurer.weights(session, &taus, 0.25)?;
+    let Ok(w) = measurer.weights(session, &taus, 0.25) else {
+        return failures(session, tau);
+    };
+    let mut vacuum = Vacuum {
+        whole_fails: !is_answered(session, &Layers::of(0.25, &vec![0.0; n]))?,
+        ..Vacuum::default()
+    };
     if !(w[1].value > 0.0 && w[2].value > 0.0 && w[n - 2].value > 0.0) {
         return Ok(vacuum);
     }
@@ -64,6 +69,17 @@ pub(in crate::identify) fn vacuum(
     Ok(vacuum)
 }
 
+/// Whether light along a medium has a finite answer.
+fn is_answered(session: &mut Session<'_>, layers: &Layers) -> Result<bool, NotIdentified> {
+    let ray = session.ray(layers, &[Emission::even(layers.count(), 0.5)]);
+    match session.ask_any(&ray) {
+        Ok(y) => Ok(y.iter().all(|y| y.is_finite())),
+        // A division by nothing may be an error as well.
+        Err(Silence::Kernel { .. }) => Ok(false),
+        Err(silence) => Err(silence.into()),
+    }
+}
+
 /// Whether rays that hold nothing, or nothing in one segment, have answers.
 pub(in crate::identify) fn failures(
     session: &mut Session<'_>,
@@ -79,13 +95,7 @@ pub(in crate::identify) fn failures(
         if !is_whole {
             layers.edges[3] = 0.0;
         }
-        let ray = session.ray(&layers, &[Emission::even(n, 0.5)]);
-        let finite = match session.ask_any(&ray) {
-            Ok(y) => y.iter().all(|y| y.is_finite()),
-            // A division by nothing may be an error as well.
-            Err(Silence::Kernel { .. }) => false,
-            Err(silence) => return Err(silence.into()),
-        };
+        let finite = is_answered(session, &layers)?;
         if is_whole {
             vacuum.whole_fails = !finite;
         } else {
