@@ -26,6 +26,15 @@ const FEWEST: f64 = 0.25;
 /// And this many of them.
 const FEWEST_POINTS: usize = 6;
 
+/// How well a number can be known, as a part of it.
+#[derive(Clone, Copy, Debug)]
+struct Known {
+    /// Known less well it says nothing.
+    worst: f64,
+    /// It is known no better.
+    best: f64,
+}
+
 /// A number that many measured ones agree on.
 #[derive(Clone, Copy, Debug)]
 struct Common {
@@ -35,9 +44,10 @@ struct Common {
 }
 
 /// The value on which most agree, within three times their errors.
-fn common(all: &[Measured], worst: f64) -> Option<Common> {
-    let usable =
-        |m: &&Measured| m.value.is_finite() && m.value != 0.0 && m.error <= worst * m.value.abs();
+fn common(all: &[Measured], known: Known) -> Option<Common> {
+    let usable = |m: &&Measured| {
+        m.value.is_finite() && m.value != 0.0 && m.error <= known.worst * m.value.abs()
+    };
     let good: Vec<Measured> = all.iter().filter(usable).copied().collect();
     let agree = |center: &Measured, m: &&Measured| {
         (m.value - center.value).abs() <= 3.0 * (m.error + center.error)
@@ -71,7 +81,7 @@ fn common(all: &[Measured], worst: f64) -> Option<Common> {
     Some(Common {
         value: sum / worth,
         // Errors are bounds and may lean to one side: no less than the best of them.
-        error: least.max(1e-16 * (sum / worth).abs()),
+        error: least.max(known.best * (sum / worth).abs()),
         count: followers.len(),
     })
 }
@@ -160,15 +170,18 @@ pub(in crate::identify) fn laws(points: &[Point], eps: f64, answers: &Answers) -
         .collect();
     let points = points.as_slice();
     // In narrow formats nothing is known well.
-    let worst = WORST.max(200.0 * answers.unit.max(answers.grain)).min(0.3);
-    for (shape, depth, bracket) in passing(points, eps, worst) {
+    let known = Known {
+        worst: WORST.max(200.0 * answers.unit.max(answers.grain)).min(0.3),
+        best: (4.0 * answers.noise + answers.grain).max(1e-16),
+    };
+    for (shape, depth, bracket) in passing(points, eps, known) {
         let base = Law {
             depth,
             shape,
             eps,
             ..Law::default()
         };
-        for (weight, scale, of_scale) in weighing(&base, points, worst) {
+        for (weight, scale, of_scale) in weighing(&base, points, known) {
             let law = Law {
                 weight,
                 scale: Scale(scale),
@@ -230,7 +243,7 @@ fn round(share: f64) -> f64 {
 }
 
 /// Shapes of p with their depths, those that most points have first.
-fn passing(points: &[Point], eps: f64, worst: f64) -> Vec<(Shape, Depth, (f64, f64))> {
+fn passing(points: &[Point], eps: f64, known: Known) -> Vec<(Shape, Depth, (f64, f64))> {
     if is_clear(points) {
         return vec![(Shape::Clear, Depth::default(), (1.0, 1.0))];
     }
@@ -244,7 +257,7 @@ fn passing(points: &[Point], eps: f64, worst: f64) -> Vec<(Shape, Depth, (f64, f
                 .iter()
                 .map(|p| factor(shape, powers, p, eps))
                 .collect();
-            let Some(common) = common(&of, worst) else {
+            let Some(common) = common(&of, known) else {
                 continue;
             };
             if common.count < FEWEST_POINTS {
@@ -263,7 +276,7 @@ fn passing(points: &[Point], eps: f64, worst: f64) -> Vec<(Shape, Depth, (f64, f
 }
 
 /// Weights with their scale and its bracket.
-fn weighing(base: &Law, points: &[Point], worst: f64) -> Vec<(Weight, f64, (f64, f64))> {
+fn weighing(base: &Law, points: &[Point], known: Known) -> Vec<(Weight, f64, (f64, f64))> {
     let mut forms: Vec<Weight> = Vec::new();
     let of = |halves: i8| Power { halves };
     if base.shape != Shape::Clear {
@@ -311,7 +324,7 @@ fn weighing(base: &Law, points: &[Point], worst: f64) -> Vec<(Weight, f64, (f64,
                 }
             })
             .collect();
-        let Some(common) = common(&scales, worst) else {
+        let Some(common) = common(&scales, known) else {
             continue;
         };
         if common.count >= FEWEST_POINTS {
@@ -333,7 +346,7 @@ fn weighing(base: &Law, points: &[Point], worst: f64) -> Vec<(Weight, f64, (f64,
                     }
                 })
                 .collect();
-            let Some(common) = common(&of, worst) else {
+            let Some(common) = common(&of, known) else {
                 continue;
             };
             if common.count >= FEWEST_POINTS {
