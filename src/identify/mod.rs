@@ -54,7 +54,7 @@ use ends::{Lone, Vacuum};
 use influence::Influence;
 use opacity::measure::Measurer;
 use places::{Places, Samples};
-use rule::{Lattice, Law, Place, Scheme, Wall};
+use rule::{End, Lattice, Law, Place, Scheme, Wall, Whole};
 use session::Session;
 use weights::Answers;
 
@@ -160,6 +160,37 @@ pub fn identify(
     }
     found.spent = session.spent;
     found
+}
+
+/// A rule against a kernel: whether it predicts the answers to rays of all kinds.
+///
+/// # Errors
+/// [`Silence::Budget`] where the budget ends before all are asked.
+pub fn held_out(
+    kernel: &mut dyn Kernel,
+    rule: &Rule,
+    budget: Budget,
+    heard: &mut dyn FnMut(&Spent),
+) -> Result<HoldOut, Silence> {
+    let mut session = Session::new(kernel, budget, heard);
+    session.channels = rule.channels;
+    let answers = Answers {
+        output: rule.output,
+        emission_max: rule.emission_max.unwrap_or(f64::INFINITY),
+        ..Answers::default()
+    };
+    let factor = match &rule.scheme {
+        Scheme::Sample { law, .. } => law.depth.factor,
+        Scheme::Segments { .. } => 1.0,
+    };
+    let terms = holdout::Terms {
+        answers: &answers,
+        typical: factor.recip(),
+        no_vacuum: false,
+        negative: true,
+        lean: false,
+    };
+    holdout::hold_out(&mut session, rule, &terms)
 }
 
 /// What stages of one sample a segment have found.
@@ -341,10 +372,15 @@ fn one_sample(
         ..base
     };
     if samples.wall {
-        let (wall, bracket) = ends::wall(session, &lone)?;
-        rule.wall = Some(wall);
-        if matches!(wall, Wall::Length(_)) {
-            keep(Parameter::Wall, bracket);
+        let walled = ends::wall(session, &lone)?;
+        rule.wall = Some(walled.wall);
+        if let (Some(whole), Whole::One) = (walled.whole, rule.whole)
+            && samples.sequence.first == End::Once
+        {
+            rule.whole = whole;
+        }
+        if matches!(walled.wall, Wall::Length(_)) {
+            keep(Parameter::Wall, walled.bracket);
         }
     }
     if let Some(early) = ends::early_end(session, &lone)? {

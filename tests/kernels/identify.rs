@@ -2,8 +2,11 @@
 
 mod code;
 mod command;
+mod composed;
+mod compositions;
 mod deviation;
 mod forms;
+mod pairs;
 mod random;
 mod stated;
 mod witness;

@@ -3,34 +3,73 @@
 use super::Lone;
 use crate::identify::NotIdentified;
 use crate::identify::number::simplest;
-use crate::identify::rule::Wall;
+use crate::identify::rule::{End, Wall, Whole};
 use crate::identify::session::Session;
+use crate::identify::weights::Measured;
 
 /// Extinctions of the last segment, from one that a wall of any length is opaque at.
 const EXTINCTIONS: [f64; 6] = [1.0, 1e-3, 1e-6, 1e-9, 1e-12, 0.0];
 /// Segments.
 const SEGMENTS: usize = 6;
 
+/// What stands at the end of a ray.
+#[derive(Clone, Copy, Debug)]
+pub(in crate::identify) struct Walled {
+    pub(in crate::identify) wall: Wall,
+    /// Of its length.
+    pub(in crate::identify) bracket: (f64, f64),
+    /// The factor of rays that it lets through; `None` where it lets none through, or the factor is no known one.
+    pub(in crate::identify) whole: Option<Whole>,
+}
+
+/// The factor of the whole ray where its last segment holds nothing: behind a wall the opacity is 1 and shows none.
+fn whole_of(lone: &Lone<'_>, w: &[Measured], taus: &[f64], length: f64) -> Option<Whole> {
+    let ray = taus.len() as f64 * length;
+    let through: f64 = taus
+        .iter()
+        .map(|tau| lone.of(*tau, length, ray).1)
+        .product();
+    let steps = 1 - i32::from(lone.measurer.samples.sequence.late);
+    let (weight, passes) = lone.of(taus[1], length, ray);
+    let factor = w[1].value / (weight * passes.powi(steps));
+    let slack = 1e-6 + 64.0 * lone.measurer.answers.unit + 3.0 * w[1].error / w[1].value;
+    let kinds = [
+        (Whole::One, 1.0),
+        (Whole::ByOpacity, 1.0 / (1.0 - through)),
+        (Whole::TimesOpacity, 1.0 - through),
+    ];
+    let found = kinds
+        .iter()
+        .find(|(_, f)| (factor / f - 1.0).abs() <= slack);
+    found.map(|(whole, _)| *whole)
+}
+
 /// The kind of the wall, and its length's bracket.
 pub(in crate::identify) fn wall(
     session: &mut Session<'_>,
     lone: &Lone<'_>,
-) -> Result<(Wall, (f64, f64)), NotIdentified> {
+) -> Result<Walled, NotIdentified> {
     let n = lone.measurer.suitable(session, SEGMENTS);
     let length = 0.25;
     let tau = lone.reference(length);
     let ray = n as f64 * length;
+    let missing = lone.measurer.samples.sequence.last == End::Missing;
+    let last = n - 1 - usize::from(missing);
     let mut rows = Vec::new();
     let mut parts = Vec::new();
+    let mut open = None;
     for extinction in EXTINCTIONS {
         let mut taus = vec![tau; n];
-        taus[n - 1] = extinction;
+        taus[last] = extinction;
         let w = lone.measurer.weights(session, &taus, length)?;
-        // w[n−2] = T α, and T p stands before the last.
+        // The one before the last weighs T α, and T p stands before the last.
         let (weight, passes) = lone.of(tau, length, ray);
-        let before = w[n - 2].value / weight * passes * lone.law.scale.0;
-        let part = w[n - 1].value / before;
-        let error = (w[n - 1].error + w[n - 2].error / weight) / before;
+        let before = w[last - 1].value / weight * passes * lone.law.scale.0;
+        let part = w[last].value / before;
+        let error = (w[last].error + w[last - 1].error / weight) / before;
+        if extinction == 0.0 {
+            open = whole_of(lone, &w, &taus, length);
+        }
         rows.push(vec![extinction, part, error]);
         parts.push((extinction, part, error));
     }
@@ -42,11 +81,19 @@ pub(in crate::identify) fn wall(
     let is_none = |(_, part, error): &(f64, f64, f64)| part.abs() <= 3.0 * error + slack;
     let none = (0.0, 0.0);
     if parts.iter().all(is_one) {
-        return Ok((Wall::LastEmission, none));
+        return Ok(Walled {
+            wall: Wall::LastEmission,
+            bracket: none,
+            whole: None,
+        });
     }
     let (empty, full) = (&parts[5], &parts[..5]);
     if full.iter().all(is_one) && is_none(empty) {
-        return Ok((Wall::Opaque, none));
+        return Ok(Walled {
+            wall: Wall::Opaque,
+            bracket: none,
+            whole: open,
+        });
     }
     // A length: the same wherever it can be told.
     if !is_none(empty) {
@@ -80,5 +127,9 @@ pub(in crate::identify) fn wall(
     if !full.iter().all(fits) {
         return Err(failed);
     }
-    Ok((Wall::Length(length), bracket))
+    Ok(Walled {
+        wall: Wall::Length(length),
+        bracket,
+        whole: open,
+    })
 }

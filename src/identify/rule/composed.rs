@@ -183,13 +183,15 @@ impl Rule {
             return;
         };
         let absorbs = extinction(ray, node).is_some_and(|tau| tau > 0.0);
+        // A factor of all weights is one of the wall's, too.
+        let weight = format.binary64(self.scheme.scale());
         match self.wall {
             Some(Wall::Opaque) if absorbs => {
-                last.adds = vec![(node, format.int(1))];
+                last.adds = vec![(node, weight)];
                 last.passes = format.int(0);
             }
             Some(Wall::LastEmission) => layers.push(Layer {
-                adds: vec![(node, format.int(1))],
+                adds: vec![(node, weight)],
                 passes: format.int(0),
             }),
             Some(Wall::Length(length)) => {
@@ -276,10 +278,7 @@ impl Rule {
     /// The scale of the weights, at least 1.
     #[must_use]
     pub(in crate::identify) fn largest_scale(&self) -> f64 {
-        match &self.scheme {
-            Scheme::Sample { law, .. } => law.scale.0.abs().max(1.0),
-            Scheme::Segments { scale, .. } => scale.0.abs().max(1.0),
-        }
+        self.scheme.scale().abs().max(1.0)
     }
 
     /// Whether every segment is sampled once, in order.

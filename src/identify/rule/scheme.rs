@@ -43,6 +43,17 @@ pub enum Scheme {
     },
 }
 
+impl Scheme {
+    /// What all weights are multiplied by.
+    #[must_use]
+    pub fn scale(&self) -> f64 {
+        match self {
+            Scheme::Sample { law, .. } => law.scale.0,
+            Scheme::Segments { scale, .. } => scale.0,
+        }
+    }
+}
+
 impl Default for Scheme {
     fn default() -> Self {
         Scheme::Sample {

@@ -110,7 +110,7 @@ fn put_wall(rule: &Rule, path: &Path, samples: &Samples, layer: Layer) -> Layer 
     let opaque = || {
         vec![
             set("light", samples.emission.as_str()),
-            set("w", "1.0"),
+            set("w", number(rule.scheme.scale())),
             set("p", "0.0"),
         ]
     };
