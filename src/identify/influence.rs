@@ -145,41 +145,56 @@ pub(super) fn influence(
     if (factor.value - 1.0).abs() <= 3.0 * factor.error + slack {
         return Ok(Influence::Own { whole: Whole::One });
     }
-    // All weights change by a common factor: the ray's opacity divides or multiplies them. That of the even ray and
-    // of the raised one follow from what a segment lets through.
-    let inner: Vec<usize> = live
+    // Neighbours inside, in the order in which they are taken.
+    let inner = |k: &usize| position(*k).is_some_and(|p| p > 0 && p + 1 < order.len());
+    let mut inner: Vec<(usize, f64)> = live
         .iter()
-        .copied()
-        .filter(|k| position(*k).is_some_and(|p| p > 0 && p + 1 < order.len()))
+        .filter(|k| inner(k))
+        .filter_map(|k| Some((position(*k)?, base[*k].value)))
         .collect();
-    let (Some(&near), Some(&far)) = (inner.first(), inner.last()) else {
-        return failed("too few samples have weight");
+    inner.sort_by_key(|(position, _)| *position);
+    let raised = Raised {
+        factor,
+        through,
+        count: order.len(),
+        allowed: 8.0 * (factor.error + slack),
     };
-    let steps = position(far)
-        .unwrap_or(0)
-        .abs_diff(position(near).unwrap_or(0));
-    let (near, far) = if position(far) > position(near) {
-        (near, far)
-    } else {
-        (far, near)
-    };
-    let even_pass = (base[far].value / base[near].value).powf(1.0 / steps.max(1) as f64);
-    let raised_pass = through.value / factor.value * even_pass;
-    let count = i32::try_from(order.len()).unwrap_or(0);
-    let whole = 1.0 - even_pass.powi(count);
-    let other = 1.0 - even_pass.powi(count - 1) * raised_pass;
-    let allowed = 8.0 * (factor.error + slack);
-    let kinds = [
-        (Whole::ByOpacity, whole / other),
-        (Whole::TimesOpacity, other / whole),
-    ];
-    let found = kinds
-        .iter()
-        .find(|(_, want)| (factor.value / want - 1.0).abs() <= allowed);
-    match found {
-        Some((whole, _)) => Ok(Influence::Own { whole: *whole }),
+    match raised.whole(&inner) {
+        Some(whole) => Ok(Influence::Own { whole }),
         None => failed(
             "all weights change by a common factor, which is neither division nor multiplication by the ray's opacity",
         ),
+    }
+}
+
+/// Weights of a ray with one extinction raised, by those of the even one.
+struct Raised {
+    /// In front of it.
+    factor: Measured,
+    /// Behind it.
+    through: Measured,
+    /// Samples.
+    count: usize,
+    allowed: f64,
+}
+
+impl Raised {
+    /// Which factor of the ray's opacity it is that all weights have: that of the even ray and of the raised one follow
+    /// from what a segment lets through, and that from weights at positions inside.
+    fn whole(&self, inner: &[(usize, f64)]) -> Option<Whole> {
+        let (&(near, first), &(far, last)) = (inner.first()?, inner.last()?);
+        let steps = far.checked_sub(near).filter(|steps| *steps > 0)?;
+        let even = (last / first).powf(1.0 / steps as f64);
+        let raised = self.through.value / self.factor.value * even;
+        let count = i32::try_from(self.count).ok()?;
+        let whole = 1.0 - even.powi(count);
+        let other = 1.0 - even.powi(count - 1) * raised;
+        let kinds = [
+            (Whole::ByOpacity, whole / other),
+            (Whole::TimesOpacity, other / whole),
+        ];
+        let mut kinds = kinds.into_iter();
+        let found = kinds.find(|(_, f)| (self.factor.value / f - 1.0).abs() <= self.allowed);
+        found.map(|(whole, _)| whole)
     }
 }

@@ -54,7 +54,7 @@ use ends::{Lone, Vacuum};
 use influence::Influence;
 use opacity::measure::Measurer;
 use places::{Places, Samples};
-use rule::{End, Lattice, Law, Place, Scheme, Wall, Whole};
+use rule::{End, Lattice, Law, Place, Scheme, Sequence, Wall, Whole};
 use session::Session;
 use weights::Answers;
 
@@ -104,6 +104,8 @@ pub struct Parts {
     pub grain: f64,
     /// Where one sample a segment lies.
     pub place: Option<Place>,
+    /// Other places and orders that have the same weights on every ray asked.
+    pub alike: Vec<(Place, Sequence)>,
     /// Rays, or segments, that hold nothing have no finite answer.
     pub vacuum_fails: Option<VacuumFails>,
 }
@@ -232,18 +234,19 @@ fn run(session: &mut Session<'_>, found: &mut Identification) -> Result<(), NotI
         ..Rule::default()
     };
     let sampled = match places::places(session, &answers, &even)? {
-        Places::Several => several(session, &answers, base)?,
+        Places::Several => several(session, &answers, &base)?,
         Places::Samples(samples) => {
             found.parts.place = Some(samples.place);
+            found.parts.alike.clone_from(&samples.alike);
             match influence::influence(session, &answers, &even, &samples)? {
-                Influence::Several => several(session, &answers, base)?,
+                Influence::Several => several(session, &answers, &base)?,
                 Influence::Own { whole } => {
                     let measurer = Measurer {
                         answers: &answers,
                         samples: &samples,
                         whole,
                     };
-                    one_sample(session, &measurer, base, found, lean)?
+                    one_sample(session, &measurer, &base, found, lean)?
                 }
             }
         }
@@ -313,11 +316,11 @@ fn look(
 fn several(
     session: &mut Session<'_>,
     answers: &Answers,
-    base: Rule,
+    base: &Rule,
 ) -> Result<Sampled, NotIdentified> {
     let mut rule = Rule {
         scheme: segment::segments(session, answers)?,
-        ..base
+        ..base.clone()
     };
     let vacuum = ends::failures(session, 1.0 / 8.0)?;
     let behind = ends::behind(session, answers, 1.0 / 8.0, &rule, !vacuum.whole_fails)?;
@@ -334,7 +337,7 @@ fn several(
 fn one_sample(
     session: &mut Session<'_>,
     measurer: &Measurer<'_>,
-    base: Rule,
+    base: &Rule,
     found: &mut Identification,
     lean: bool,
 ) -> Result<Sampled, NotIdentified> {
@@ -369,7 +372,7 @@ fn one_sample(
         },
         sequence: samples.sequence,
         whole: measurer.whole,
-        ..base
+        ..base.clone()
     };
     if samples.wall {
         let walled = ends::wall(session, &lone)?;

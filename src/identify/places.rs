@@ -82,7 +82,8 @@ fn even_of(
             adds_up(answers, &found, &beside, n)?;
         }
         let lost = lost_a_segment(&found, n);
-        if is_random || !(lost * n as f64 > DEEPEST) {
+        let is_thin = lost.is_nan() || lost * n as f64 <= DEEPEST;
+        if is_random || is_thin {
             return Ok(Even {
                 extinction,
                 weights: found,
@@ -210,11 +211,11 @@ impl Reading {
             return false;
         }
         let ratio = of(*far).value / of(*near).value;
-        if !(ratio > 0.0) {
+        if ratio.is_nan() || ratio <= 0.0 {
             return false;
         }
         let fall = ratio.powf(1.0 / (inside.len() - 1) as f64);
-        if !(fall <= 1.0 + answers.relative(n)) && taken.len() > 4 {
+        if fall > 1.0 + answers.relative(n) {
             return false;
         }
         let late = usize::from(self.sequence.late);

@@ -118,7 +118,7 @@ fn triple(
     let follows = (joint - both[1]).abs() <= tolerance * scale
         && (first[0] - both[0]).abs() <= tolerance * scale
         && (first[2] - both[3]).abs() <= tolerance * scale;
-    if !follows || !(passes > 0.0) {
+    if !follows || passes.is_nan() || passes <= 0.0 {
         return Err(
             NotIdentified::new("two segments do not follow one another as two factors").with_rows(
                 &["in front", "between", "at the back"],

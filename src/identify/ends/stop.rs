@@ -218,7 +218,7 @@ fn cut(trials: &[Trial], lone: &Lone<'_>) -> Option<(f64, f64)> {
         let error = trial.seen.error / trial.weights[last];
         let opacity = before - trial.after[last];
         let slack = 3.0 * error + 256.0 * lone.measurer.answers.unit / before;
-        if !(part < 1.0 - slack) {
+        if part.is_nan() || part >= 1.0 - slack {
             return None;
         }
         levels.push((before - part * opacity, slack * opacity + 1e-15));

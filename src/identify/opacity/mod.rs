@@ -171,7 +171,11 @@ pub(super) fn measure(
         references.push(reference);
     }
     for (length, depths) in THICK {
-        let Some(reference) = references.iter().find(|r| r.length == length).copied() else {
+        let Some(reference) = references
+            .iter()
+            .find(|r| (r.length - length).abs() < 1e-12)
+            .copied()
+        else {
             continue;
         };
         let every = if lean { 3 } else { 1 };

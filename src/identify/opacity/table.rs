@@ -245,7 +245,7 @@ fn by_bits(scan: &[Point], measured: &Measurements, answers: &Answers) -> Option
     // Deep ones may be clamped: they are held out later.
     let shallow = |p: &&Point| p.extinction * p.length < 15.0;
     let explains = |p: &Point| has(&law, p, &loose);
-    all().filter(shallow).all(explains).then(|| Fitted {
+    all().filter(shallow).all(explains).then_some(Fitted {
         law,
         factor: (1.0, 1.0),
         scale: (1.0, 1.0),

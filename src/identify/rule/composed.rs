@@ -86,11 +86,11 @@ impl Rule {
         }) = self.stop
             && ended
         {
-            factor = factor / &opacity;
+            factor /= &opacity;
         }
         match self.whole {
             Whole::One => {}
-            Whole::ByOpacity if opacity > format.int(0) => factor = factor / &opacity,
+            Whole::ByOpacity if opacity > format.int(0) => factor /= &opacity,
             Whole::ByOpacity => factor = format.int(0),
             Whole::TimesOpacity => factor *= &opacity,
         }
@@ -110,10 +110,10 @@ impl Rule {
         let partial = last < step * (1.0 - 1e-9);
         match self.sequence.last_step {
             LastStep::Own | LastStep::Dropped => {}
-            LastStep::Whole => lengths.iter_mut().for_each(|d| *d = step),
+            LastStep::Whole => lengths.fill(step),
             LastStep::Even => {
                 let even = lambda.last().copied().unwrap_or(0.0) / n.max(1) as f64;
-                lengths.iter_mut().for_each(|d| *d = even);
+                lengths.fill(even);
             }
         }
         let too_many = match self.sequence.extra {

@@ -1,6 +1,6 @@
 //! The discrete rule that a kernel computes: an explicit formula that answers any ray in any format.
 //!
-//! y = G(b + β T_N + F Σₖ Tₖ wₖ Cₖ), Tₖ = Π_{j<k} pⱼ, over the samples k in the order in which they are taken;
+//! y = G(b + β T + F Σₖ Tₖ wₖ Cₖ), Tₖ = Π_{j<k} pⱼ, over the samples k in the order in which they are taken;
 //! wₖ and pₖ come from the [`Scheme`], which samples are taken from the [`Sequence`], F from [`Whole`], G from
 //! [`Output`].
 
