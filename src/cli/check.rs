@@ -12,7 +12,8 @@ use volver::study::verify::{Baseline, BaselineError, Conclusion};
 const EXAMPLES: &str = "\
 BASELINE is what 'volver verify --save' wrote: its cases and levels are run again. A
 channel has moved where it stands otherwise (confirmed, contradicted, inconclusive …)
-or where the intervals of its orders have nothing in common. The exit code is 1 where
+or where the intervals of its orders have nothing in common; the kernel where it computes
+something else, or deviates otherwise by more than a hundredth. The exit code is 1 where
 something has moved, but for what is only better, and 2 where the kernel could not run.
 
 Work: what 'volver verify' took to write BASELINE, of at most 64 MiB; a program has
@@ -65,6 +66,12 @@ impl Check {
             let how = if one.better { "better" } else { "moved" };
             // Writing to a String does not fail.
             let _ = writeln!(said, "{how}: {one}");
+        }
+        for one in baseline.unrecorded(&verification) {
+            let _ = writeln!(
+                said,
+                "found: {one} (the baseline is of version 1 and has none: save it anew)"
+            );
         }
         let worse = moved.iter().filter(|one| !one.better).count();
         let _ = match (worse, moved.len()) {

@@ -13,8 +13,8 @@ use volver::kernel::{Kernel, Subject, process};
 use volver::render::terminal;
 use volver::report::verify::{document, heading, json, junit, row, scattered_heading, write};
 use volver::study::verify::{
-    Axis, Baseline, Conclusion, Line, REPLICAS, Settings, SettingsError, Steps, Verification,
-    verify,
+    Accepted, Axis, Baseline, Conclusion, Identify, Line, REPLICAS, Settings, SettingsError, Steps,
+    Verification, verify,
 };
 
 const EXAMPLES: &str = "\
@@ -62,6 +62,13 @@ pub(crate) struct Verify {
     /// Seeds a level, for kernels that draw random numbers [default: 30]
     #[arg(long, value_name = "N", value_parser = replicas, allow_negative_numbers = true)]
     replicas: Option<usize>,
+    /// Read off what the kernel computes: auto asks no more rays than the ladder has, full
+    /// as many as 'volver identify'
+    #[arg(long, value_enum, default_value = "auto", value_name = "HOW")]
+    identify: Identification,
+    /// Let a known deviation pass as long as it is that, repeatable: early-end=0.0039
+    #[arg(long, value_name = "NAME[=VALUE]", value_parser = Accepted::from_str)]
+    accept: Vec<Accepted>,
     /// Write one JSON document; - is standard output, without the table
     #[arg(long, value_name = "FILE")]
     json: Option<PathBuf>,
@@ -88,6 +95,14 @@ pub(crate) struct Verify {
 enum RefinedAxis {
     Step,
     Grid,
+}
+
+/// Whether it is read off what a kernel computes.
+#[derive(Clone, Copy, ValueEnum)]
+enum Identification {
+    Auto,
+    Full,
+    Off,
 }
 
 fn replicas(text: &str) -> Result<usize, SettingsError> {
@@ -120,6 +135,12 @@ impl Verify {
         };
         settings.expect.clone_from(&self.expect);
         settings.replicas = self.replicas.unwrap_or(REPLICAS);
+        settings.identify = match self.identify {
+            Identification::Auto => Identify::Auto,
+            Identification::Full => Identify::Full,
+            Identification::Off => Identify::Off,
+        };
+        settings.accept.clone_from(&self.accept);
         let at_once = self.kernel.at_once()?;
         let subjects = subjects(&self.cases, "--cases")?;
         output.check()?;

@@ -1,7 +1,7 @@
 //! A kernel from all sides: what it computes, in what that deviates from what it is to be, and a ray that shows it.
 
-use super::deviation::{Deviation, deviations, misbehaviour, right_of};
-use super::rule::{Law, Place, Rule, Scheme, Wall};
+use super::deviation::{Deviation, deviations, misbehaviour};
+use super::promised::{misplaced, promised};
 use super::session::{Budget, Spent};
 use super::witness::{Witness, witness};
 use super::{Identification, identify};
@@ -69,9 +69,10 @@ impl Examined {
 pub fn examine(kernel: &mut dyn Kernel, budget: Budget, heard: &mut dyn FnMut(&Spent)) -> Examined {
     let declaration = kernel.declaration().clone();
     let found = identify(kernel, budget, heard);
-    let rules = expected(&found, &declaration);
+    let rules = promised(&found, &declaration);
     let mut all = Vec::new();
     if let (Some(rule), Some(right)) = (found.named(), rules.first()) {
+        all.extend(misplaced(&found, rule, &declaration));
         all.extend(deviations(rule, right, &found.brackets));
     }
     let excused = |deviation: &Deviation| declaration.stochastic && deviation.name == "seed";
@@ -107,42 +108,4 @@ pub fn examine(kernel: &mut dyn Kernel, budget: Budget, heard: &mut dyn FnMut(&S
         (examined.witness, examined.searched) = (shown, searched);
     }
     examined
-}
-
-/// What a kernel is to compute: the rule of the same places without faults, but for what it declares; where no rule is
-/// named, one sample a segment in the place that was found, or in each of the three.
-fn expected(found: &Identification, declaration: &Declaration) -> Vec<Rule> {
-    if let Some(rule) = found.named() {
-        return vec![but_for(right_of(rule), rule, declaration)];
-    }
-    let places = match found.parts.place {
-        Some(place) => vec![place],
-        None => vec![Place::Front, Place::Middle, Place::Back],
-    };
-    let rules = places.into_iter().map(|place| Rule {
-        scheme: Scheme::Sample {
-            place,
-            law: Law::default(),
-        },
-        ..Rule::default()
-    });
-    let rules = rules.map(|rule| Rule {
-        wall: declaration.far_wall.then_some(Wall::Opaque),
-        ..rule
-    });
-    rules.collect()
-}
-
-/// What is declared is no deviation.
-fn but_for(right: Rule, rule: &Rule, declaration: &Declaration) -> Rule {
-    let mut right = right;
-    if declaration.far_wall && rule.wall.is_some() {
-        right.wall = rule.wall;
-    }
-    if let (Some(declared), Some(own)) = (declaration.quantum, rule.output.quantum)
-        && (declared - own).abs() <= 1e-9 * declared
-    {
-        right.output.quantum = Some(own);
-    }
-    right
 }

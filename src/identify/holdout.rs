@@ -630,7 +630,7 @@ fn judge(
 
 /// A place that a kernel works out is off by rounding, and values there by as much times the medium's slope, which adds up
 /// to a unit times the optical depth times n.
-fn of_places(rule: &Rule, answers: &Answers) -> Answers {
+pub(super) fn of_places(rule: &Rule, answers: &Answers) -> Answers {
     Answers {
         unit: answers.unit * if rule.lattice.is_some() { SLOPE } else { 1.0 },
         ..answers.clone()

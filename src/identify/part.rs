@@ -189,20 +189,22 @@ impl Said {
     }
 }
 
+/// Where one sample a segment lies.
+pub(super) fn of_place(place: Place) -> &'static str {
+    match place {
+        Place::Front => "samples lie at the front of segments",
+        Place::Middle => "samples lie in the middle of segments",
+        Place::Back => "samples lie at the back of segments",
+    }
+}
+
 /// Every part of a rule that is not the plain one, in the order in which a ray meets them.
 #[must_use]
 pub fn parts(rule: &Rule) -> Vec<Stated> {
     let mut said = Said::default();
     match &rule.scheme {
         Scheme::Sample { place, law } => {
-            said.words(
-                Part::Place,
-                match place {
-                    Place::Front => "samples lie at the front of segments",
-                    Place::Middle => "samples lie in the middle of segments",
-                    Place::Back => "samples lie at the back of segments",
-                },
-            );
+            said.words(Part::Place, of_place(*place));
             of_law(&mut said, law);
         }
         Scheme::Segments {

@@ -3,11 +3,13 @@
 use super::NotIdentified;
 use super::opacity::fit::{Fitted, laws};
 use super::opacity::measure::Point;
+use super::part::{Part, parts};
 use super::random::Random;
 use super::ray::{Emission, Layers};
-use super::rule::Law;
+use super::rule::{Law, Place, Rule, Scheme};
 use super::session::Session;
 use super::weights::{Answers, Measured};
+use std::fmt;
 
 /// A kernel that samples each segment somewhere.
 #[derive(Clone, Debug, PartialEq)]
@@ -20,6 +22,33 @@ pub struct Scattered {
     pub seeds: usize,
     /// By how many standard errors the farthest of them differs.
     pub farthest: f64,
+}
+
+impl fmt::Display for Scattered {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(if self.one_shift {
+            "samples at the same random part of all segments of a ray"
+        } else {
+            "one sample at a random place of each segment"
+        })?;
+        let rule = Rule {
+            scheme: Scheme::Sample {
+                place: Place::Middle,
+                law: self.law.clone(),
+            },
+            ..Rule::default()
+        };
+        let parts = parts(&rule).into_iter();
+        let parts: Vec<String> = parts
+            .filter(|stated| stated.part != Part::Place)
+            .map(|stated| stated.words)
+            .collect();
+        if parts.is_empty() {
+            f.write_str(", α = 1 − exp(−τ d)")
+        } else {
+            write!(f, "; {}", parts.join("; "))
+        }
+    }
 }
 
 /// Seeds whose places are looked at.

@@ -1,7 +1,8 @@
 //! Methods of this crate as kernels.
 
+use super::made_up::MadeUp;
 use super::{Declaration, FormKind, Kernel, KernelError, Rendering, Task};
-use crate::case::{Fresh, SymbolicCase};
+use crate::case::{Case, Fresh};
 use crate::method::{Inner, Method, MethodError, Nested};
 use crate::real::{Format, FormatName, Real, WithFormat};
 use rug::{Float, Rational};
@@ -54,9 +55,18 @@ impl Kernel for BuiltIn {
         let format = self.declaration.format;
         let segments = suitable(&self.method, task.segments);
         let method = seeded(self.method, task.seed);
-        let run = |case| radiance_in(format, &method, case, segments);
-        let radiance: Result<Vec<Float>, MethodError> =
-            task.subject.cases().iter().map(run).collect();
+        let cases = task.subject.cases();
+        let channels = 0..task.subject.channels().len();
+        let run = |channel| match cases.get(channel) {
+            Some(case) => radiance_in(format, &method, case, segments),
+            None => radiance_in(
+                format,
+                &method,
+                &MadeUp::new(task.subject, channel),
+                segments,
+            ),
+        };
+        let radiance: Result<Vec<Float>, MethodError> = channels.map(run).collect();
         let used = Rational::from(task.subject.length() / segments).to_f64();
         Ok(Rendering {
             radiance: radiance?,
@@ -90,10 +100,10 @@ fn seeded(mut method: Method, of_task: u64) -> Method {
 ///
 /// # Errors
 /// As [`Method::radiance`].
-pub(crate) fn radiance_in(
+pub(crate) fn radiance_in<C: Case>(
     format: FormatName,
     method: &Method,
-    case: &SymbolicCase,
+    case: &C,
     segments: u64,
 ) -> Result<Float, MethodError> {
     format.with(Run {
@@ -103,13 +113,13 @@ pub(crate) fn radiance_in(
     })
 }
 
-struct Run<'c> {
-    case: &'c SymbolicCase,
+struct Run<'c, C> {
+    case: &'c C,
     method: Method,
     segments: u64,
 }
 
-impl WithFormat for Run<'_> {
+impl<C: Case> WithFormat for Run<'_, C> {
     type Output = Result<Float, MethodError>;
 
     fn run<F: Format>(self, format: F) -> Self::Output {

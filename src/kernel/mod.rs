@@ -18,6 +18,7 @@ mod cut;
 mod declaration;
 mod error;
 pub mod library;
+mod made_up;
 mod medium;
 pub mod process;
 mod rendering;

@@ -29,7 +29,6 @@ pub mod comparison;
 mod counts;
 #[cfg(feature = "studies")]
 pub mod fit;
-#[cfg(feature = "studies")]
 pub mod identify;
 #[cfg(feature = "studies")]
 mod names;

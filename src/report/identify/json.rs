@@ -2,7 +2,7 @@
 
 use super::Other;
 use super::words::formula;
-use crate::identify::{Deviation, Examined, Kind, NotIdentified, Witness, parts};
+use crate::identify::{Deviation, Examined, Kind, NotIdentified, Witness, parts, rule};
 use crate::render::ReportError;
 use serde::Serialize;
 use serde_json::Value;
@@ -11,23 +11,31 @@ use serde_json::Value;
 struct Document<'a> {
     volver: &'static str,
     kernel: &'a str,
-    verdict: &'static str,
-    /// Only where it is named.
-    rule: Option<Rule>,
-    validated: Vec<Held<'a>>,
-    deviations: Vec<Deviating<'a>>,
-    not_identified: Vec<Open<'a>>,
-    #[serde(skip_serializing_if = "Option::is_none")]
-    witness: Option<Seen>,
+    #[serde(flatten)]
+    found: Found<'a>,
     #[serde(skip_serializing_if = "Option::is_none")]
     against: Option<Compared<'a>>,
     cost: Cost,
 }
 
+/// What was found out of one kernel.
 #[derive(Serialize)]
-struct Rule {
+pub(in crate::report) struct Found<'a> {
+    verdict: &'static str,
+    /// Only where it is named.
+    rule: Option<Rule<'a>>,
+    validated: Vec<Held<'a>>,
+    deviations: Vec<Deviating<'a>>,
+    not_identified: Vec<Open<'a>>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    witness: Option<Seen>,
+}
+
+#[derive(Serialize)]
+struct Rule<'a> {
     text: String,
     parts: Vec<Part>,
+    formula: &'a rule::Rule,
 }
 
 #[derive(Serialize)]
@@ -94,8 +102,9 @@ struct Differing<'a> {
     other: Option<&'a str>,
 }
 
+/// What was asked.
 #[derive(Serialize)]
-struct Cost {
+pub(in crate::report) struct Cost {
     rays: u64,
     segments: u64,
     longest: u64,
@@ -109,31 +118,43 @@ struct Cost {
 /// # Errors
 /// [`ReportError::Json`] where a value of a witness's ray is not finite, which none is.
 pub fn json(examined: &Examined, other: Option<&Other>) -> Result<String, ReportError> {
-    let found = &examined.found;
-    let spent = found.spent;
-    let witness = examined.witness.as_ref().map(seen).transpose()?;
     let document = Document {
         volver: env!("CARGO_PKG_VERSION"),
         kernel: &examined.declaration.name,
+        found: found(examined)?,
+        against: other.map(compared).transpose()?,
+        cost: cost(examined),
+    };
+    Ok(serde_json::to_string_pretty(&document)? + "\n")
+}
+
+/// What was found out of one kernel.
+pub(in crate::report) fn found(examined: &Examined) -> Result<Found<'_>, ReportError> {
+    let found = &examined.found;
+    Ok(Found {
         verdict: examined.verdict().name(),
         rule: found.named().map(|rule| Rule {
             text: formula(rule),
             parts: parts(rule).into_iter().map(part).collect(),
+            formula: rule,
         }),
         validated: found.hold_out.kinds.iter().map(held).collect(),
         deviations: examined.deviations.iter().map(deviating).collect(),
         not_identified: found.not_identified.iter().map(open).collect(),
-        witness,
-        against: other.map(compared).transpose()?,
-        cost: Cost {
-            rays: spent.rays,
-            segments: spent.segments,
-            longest: spent.longest,
-            unanswered: spent.unanswered,
-            rays_for_witness: examined.searched.rays,
-        },
-    };
-    Ok(serde_json::to_string_pretty(&document)? + "\n")
+        witness: examined.witness.as_ref().map(seen).transpose()?,
+    })
+}
+
+/// What was asked.
+pub(in crate::report) fn cost(examined: &Examined) -> Cost {
+    let spent = examined.found.spent;
+    Cost {
+        rays: spent.rays,
+        segments: spent.segments,
+        longest: spent.longest,
+        unanswered: spent.unanswered,
+        rays_for_witness: examined.searched.rays,
+    }
 }
 
 fn part(stated: crate::identify::Stated) -> Part {

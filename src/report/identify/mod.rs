@@ -1,17 +1,27 @@
 //! What a kernel computes, in what it deviates, and a ray that shows it.
 
+#[cfg(feature = "studies")]
 mod json;
+#[cfg(feature = "studies")]
 mod plots;
-mod words;
+pub(super) mod words;
 
+#[cfg(feature = "studies")]
 pub use json::json;
+#[cfg(feature = "studies")]
+pub(super) use json::{Cost, Found, cost, found};
 
+#[cfg(feature = "studies")]
+use crate::document::Figure;
 use crate::document::{
-    About, Block, Cell, Column, Conclusion, Document, Fact, Figure, Finding, Medium, Section,
-    Table, Tone,
+    About, Block, Cell, Column, Conclusion, Document, Fact, Finding, Medium, Section, Table, Tone,
 };
+#[cfg(feature = "studies")]
+use crate::identify::rule::Rule;
 use crate::identify::{Against, Deviation, Examined, NotIdentified, Verdict};
+#[cfg(feature = "studies")]
 use crate::render::{ReportError, write_document};
+#[cfg(feature = "studies")]
 use std::path::{Path, PathBuf};
 use words::{bracketed, conclusion, formula, kinds, spent};
 
@@ -62,7 +72,12 @@ pub fn document(examined: &Examined, other: Option<&Other>, about: &About) -> Do
             "Against the other kernel",
             other.into_iter().flat_map(compared),
         ),
-        Section::of("pictures", "Weights and opacities", pictures(examined)),
+        #[cfg(feature = "studies")]
+        Section::of(
+            "pictures",
+            "Weights and opacities",
+            examined.found.named().into_iter().flat_map(pictures),
+        ),
         Section::of("cost", "What it cost", [Block::Facts(spent(examined))]),
     ]
     .into();
@@ -74,6 +89,7 @@ pub fn document(examined: &Examined, other: Option<&Other>, about: &About) -> Do
 ///
 /// # Errors
 /// [`ReportError::Directory`] or [`ReportError::File`] with the path and the system's reason.
+#[cfg(feature = "studies")]
 pub fn write(
     dir: &Path,
     examined: &Examined,
@@ -158,7 +174,8 @@ fn witness(examined: &Examined) -> Vec<Block> {
         return Vec::new();
     };
     let mut blocks = vec![Block::Lines(witness.to_string())];
-    if examined.found.named().is_none() {
+    let is_declared = examined.declaration.method.is_some();
+    if examined.found.named().is_none() && !is_declared {
         let against = "No rule is named: this is beside one sample a segment, in the place nearest to the answer.";
         blocks.push(Block::Text(against.into()));
     }
@@ -204,10 +221,9 @@ fn compared(other: &Other) -> Vec<Block> {
     blocks
 }
 
-fn pictures(examined: &Examined) -> Vec<Block> {
-    let Some(rule) = examined.found.named() else {
-        return Vec::new();
-    };
+/// What values weigh, and opacities beside the true ones.
+#[cfg(feature = "studies")]
+pub(super) fn pictures(rule: &Rule) -> Vec<Block> {
     let mut blocks = vec![Block::Figure(Figure::new(
         "weights",
         "What values along an even ray of depth 3 weigh",

@@ -47,7 +47,7 @@ pub(super) fn formula(rule: &Rule) -> String {
 }
 
 /// In which kinds of rays it holds, and in which not.
-pub(super) fn kinds(examined: &Examined) -> String {
+pub(in crate::report) fn kinds(examined: &Examined) -> String {
     let kinds = &examined.found.hold_out.kinds;
     let of = |holds: bool| -> Vec<&str> {
         let kinds = kinds.iter().filter(|kind| kind.holds() == holds);
@@ -84,7 +84,7 @@ fn list(words: &[&str]) -> String {
 }
 
 /// What a kernel does, between what its parameter lies, and in place of what.
-pub(super) fn bracketed(deviation: &Deviation) -> String {
+pub(in crate::report) fn bracketed(deviation: &Deviation) -> String {
     let mut words = deviation.does.clone();
     if let Some((low, high)) = deviation.bracket {
         words = format!("{words} (between {low:?} and {high:?})");
@@ -114,7 +114,7 @@ pub(super) fn spent(examined: &Examined) -> Vec<Fact> {
 }
 
 /// A number that is neither long nor wrong.
-pub(super) fn number(x: f64) -> String {
+pub(in crate::report) fn number(x: f64) -> String {
     let size = x.abs();
     if x.is_finite() && size > 0.0 && !(1e-4..1e6).contains(&size) {
         format!("{x:e}")

@@ -4,8 +4,8 @@ use super::words::theory;
 use crate::case::Unproved;
 use crate::convergence::{Fit, ReportedError, Sample, StochasticFit, serialize_float};
 use crate::diagnosis::Match;
-use crate::report::ReportError;
-use crate::study::verify::{Axis, Line, Measured, Verification};
+use crate::report::{ReportError, identify};
+use crate::study::verify::{Axis, Identified, Line, Measured, Verification};
 use rug::Float;
 use serde::Serialize;
 use std::num::NonZeroU64;
@@ -20,6 +20,8 @@ struct Document<'a> {
     conclusion: &'static str,
     counts: Counts,
     fingerprint: Option<Found>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    identification: Option<Identification<'a>>,
     findings: Vec<Finding<'a>>,
     #[serde(skip_serializing_if = "Option::is_none")]
     different_seeds: Option<usize>,
@@ -60,6 +62,25 @@ struct Found {
     of: usize,
     alike: Vec<String>,
     contradicts_declaration: bool,
+}
+
+#[derive(Serialize)]
+struct Identification<'a> {
+    /// Whether the rule holds in most channels too.
+    named: bool,
+    #[serde(flatten)]
+    found: identify::Found<'a>,
+    channels: Agreement<'a>,
+    accepted: Vec<String>,
+    cost: identify::Cost,
+}
+
+/// The rule against the values of the ladder.
+#[derive(Serialize)]
+struct Agreement<'a> {
+    compared: usize,
+    agree: usize,
+    differ: &'a [String],
 }
 
 #[derive(Serialize)]
@@ -153,6 +174,11 @@ pub fn json(verification: &Verification) -> Result<String, ReportError> {
                 contradicts_declaration: found.contradicts_declaration(),
             }
         }),
+        identification: verification
+            .identification
+            .as_ref()
+            .map(|identified| identification(identified, verification))
+            .transpose()?,
         findings: verification
             .findings
             .iter()
@@ -167,6 +193,24 @@ pub fn json(verification: &Verification) -> Result<String, ReportError> {
     let mut text = serde_json::to_string_pretty(&document)?;
     text.push('\n');
     Ok(text)
+}
+
+fn identification<'a>(
+    identified: &'a Identified,
+    verification: &'a Verification,
+) -> Result<Identification<'a>, ReportError> {
+    let accepted = verification.settings.accept.iter();
+    Ok(Identification {
+        named: identified.named().is_some(),
+        found: identify::found(&identified.examined)?,
+        channels: Agreement {
+            compared: identified.compared,
+            agree: identified.agrees(),
+            differ: &identified.differs,
+        },
+        accepted: accepted.map(ToString::to_string).collect(),
+        cost: identify::cost(&identified.examined),
+    })
 }
 
 fn row(line: &Line) -> Row<'_> {

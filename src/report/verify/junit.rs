@@ -1,7 +1,7 @@
 //! `JUnit` XML, which CI servers show: one test case a channel, and one for the fingerprint.
 
-use super::deviates;
 use super::words::{failure, failures, findings, fingerprint, order, theory};
+use super::{deviates, identified};
 use crate::document::Finding;
 use crate::study::verify::{Conclusion, Line, Standing, Verification};
 use std::fmt::Write;
@@ -22,7 +22,8 @@ pub fn junit(verification: &Verification) -> String {
         );
     }
     let deviates = deviates(verification);
-    let said = fingerprint(verification).into_iter();
+    let said = identified::findings(verification).into_iter();
+    let said = said.chain(fingerprint(verification));
     let said = said.chain(findings(verification, usize::MAX));
     let sentences: Vec<String> = said.map(|said| Finding::sentence(&said)).collect();
     let sentences = escape(&sentences.join("; "));

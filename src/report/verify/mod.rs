@@ -1,5 +1,6 @@
 //! A kernel put to the test: rows as they come, what they say in all, JSON, `JUnit` XML.
 
+mod identified;
 #[cfg(feature = "studies")]
 mod json;
 #[cfg(feature = "studies")]
@@ -24,6 +25,8 @@ use crate::document::{
 use crate::method::Expected;
 #[cfg(feature = "studies")]
 use crate::render::{ReportError, write_document};
+#[cfg(feature = "studies")]
+use crate::study::verify::Identified;
 use crate::study::verify::{Conclusion, Line, Measured, Standing, Verification};
 #[cfg(feature = "studies")]
 use std::path::{Path, PathBuf};
@@ -52,6 +55,17 @@ pub fn document(verification: &Verification, about: &About) -> Document {
     document.conclusion = Some(said.toned(tone));
     let lines = &verification.lines;
     document.sections = [
+        Section::of("rule", "What it computes", identified::rule(verification)),
+        Section::of(
+            "deviations",
+            "How it deviates",
+            identified::deviations(verification),
+        ),
+        Section::of(
+            "witness",
+            "The smallest ray that shows it",
+            identified::witness(verification),
+        ),
         Section::of(
             "findings",
             "What the values say",
@@ -65,6 +79,8 @@ pub fn document(verification: &Verification, about: &About) -> Document {
             "Errors against segments",
             lines.iter().filter_map(plot),
         ),
+        #[cfg(feature = "studies")]
+        Section::of("pictures", "Weights and opacities", pictures(verification)),
         Section::of(
             "run",
             "What was run",
@@ -212,6 +228,14 @@ fn plot(line: &Line) -> Option<Block> {
     Some(Block::Figure(figure))
 }
 
+/// What values weigh by the rule, and its opacities.
+#[cfg(feature = "studies")]
+fn pictures(verification: &Verification) -> Vec<Block> {
+    let identified = verification.identification.as_ref();
+    let rule = identified.and_then(Identified::named);
+    rule.map(super::identify::pictures).unwrap_or_default()
+}
+
 fn run(verification: &Verification) -> Block {
     let declaration = &verification.declaration;
     let declared = declaration.method.map_or("none".into(), |m| m.name());
@@ -237,7 +261,7 @@ fn legend(verification: &Verification) -> Section {
 /// Whether a fingerprint speaks against the kernel.
 fn deviates(verification: &Verification) -> bool {
     let found = verification.fingerprint.as_ref();
-    found.is_some_and(Fingerprint::contradicts_declaration)
+    found.is_some_and(Fingerprint::contradicts_declaration) || verification.deviates()
 }
 
 /// How good or bad a standing is.

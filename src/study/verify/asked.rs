@@ -5,13 +5,14 @@ mod floor;
 mod resolved;
 mod used;
 
+use super::identified::SeenLevel;
 use super::{Axis, Settings, VerifyError};
 use crate::kernel::{
     Cut, CutError, Data, Declaration, FormKind, Formula, Kernel, KernelError, Rendering, Segments,
     Subject, Task, Volume,
 };
 use crate::study::Progress;
-use rug::Rational;
+use rug::{Float, Rational};
 
 /// A kernel that says it is deterministic is asked twice, with another seed; one that draws random numbers with the same.
 const OTHER_SEED: u64 = 1;
@@ -50,6 +51,12 @@ impl Answers {
     /// By level and seed.
     pub(super) fn by_seed(&self) -> &[Vec<Result<Rendering, KernelError>>] {
         &self.levels
+    }
+
+    /// How many rays were asked.
+    pub(super) fn rays(&self) -> u64 {
+        let levels: usize = self.levels.iter().map(Vec::len).sum();
+        (levels + self.spots.len() + usize::from(self.again.is_some())) as u64
     }
 
     /// Whether there is a single one.
@@ -149,6 +156,31 @@ impl<'a> Asked<'a> {
             spots,
             again,
         }
+    }
+
+    /// What was answered, where that is one answer to each ray: to compare a rule with.
+    pub(super) fn seen(&self, answers: &Answers) -> Result<Vec<SeenLevel>, VerifyError> {
+        let mut seen = Vec::new();
+        if self.declaration.stochastic || self.declaration.form == FormKind::Volume {
+            return Ok(seen);
+        }
+        let firsts = answers.levels.iter().map(|level| level.first());
+        let beside = answers.spots.iter().map(Some);
+        let levels = self.levels.iter().chain(&self.spots);
+        for (level, answer) in levels.zip(firsts.chain(beside)) {
+            let Some(Ok(rendering)) = answer else {
+                continue;
+            };
+            let cut = self.used(level, rendering);
+            let used = cut.on(self.subject.length());
+            let (step, _) = used.map_err(|error| self.cut_error(error))?;
+            seen.push(SeenLevel {
+                segments: self.segments(level, cut)?,
+                step: step.to_f64(),
+                answers: rendering.radiance.iter().map(Float::to_f64).collect(),
+            });
+        }
+        Ok(seen)
     }
 
     fn task<'t>(&'t self, level: &'t Level, seed: u64) -> Task<'t> {

@@ -1,19 +1,26 @@
 //! What a kernel showed once, to compare with what it shows now.
 
-use super::{Axis, Line, Settings, SettingsError, Standing, Steps, Verification};
+use super::accept::is_same;
+use super::{
+    Acceptance, Accepted, Axis, Identified, Identify, Line, Settings, SettingsError, Standing,
+    Steps, Verification,
+};
 use crate::convergence::Ladder;
+use crate::identify::{Stated, parts};
 use serde::{Deserialize, Serialize};
 use std::collections::BTreeSet;
 use std::fmt;
 
 /// The version of the file.
-const VERSION: u32 = 1;
+const VERSION: u32 = 2;
+/// One without rule and deviations is read too.
+const FIRST: u32 = 1;
 
 /// A verification, as far as later ones are compared with it.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct Baseline {
-    /// The version of the file, 1.
+    /// The version of the file: 2, or 1 for one that has neither rule nor deviations.
     pub volver_baseline: u32,
     /// The kernel's name.
     pub kernel: String,
@@ -32,10 +39,42 @@ pub struct Baseline {
     pub expect: Option<String>,
     /// Seeds a level, for kernels that draw random numbers.
     pub replicas: usize,
-    /// What the values were found to be; `None` where nothing was found.
+    /// What the values were found to be, in version 1; nothing is compared with it.
+    #[serde(default, skip_serializing)]
     pub fingerprint: Option<String>,
+    /// Whether, and by how many rays, it was read off what the kernel computes: `auto`, `full` or `off`.
+    #[serde(default = "off")]
+    pub identify: String,
+    /// What it was found to compute, part by part; none where no rule was named.
+    #[serde(default)]
+    pub rule: Option<Vec<BaselinePart>>,
+    /// In what that deviated: so much is accepted.
+    #[serde(default)]
+    pub deviations: Vec<BaselineDeviation>,
     /// One a channel.
     pub lines: Vec<BaselineLine>,
+}
+
+/// A part of a rule.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct BaselinePart {
+    /// Its name.
+    pub part: String,
+    /// Its parameter.
+    pub value: Option<f64>,
+    /// In words.
+    pub words: String,
+}
+
+/// A deviation.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct BaselineDeviation {
+    /// Its name.
+    pub name: String,
+    /// Its parameter.
+    pub value: Option<f64>,
 }
 
 /// One channel.
@@ -64,10 +103,16 @@ pub enum BaselineError {
         reason: String,
     },
     /// Another version.
-    #[error("a baseline of version {found} (allowed: {VERSION})")]
+    #[error("a baseline of version {found} (allowed: {FIRST}, {VERSION})")]
     Version {
         /// Its version.
         found: u64,
+    },
+    /// Another word than those for how a rule is read off.
+    #[error("'identify': '{}' (allowed: auto, full, off)", found.escape_debug())]
+    Identify {
+        /// The word.
+        found: String,
     },
     /// Levels, an order or a number of seeds that no kernel can be tested with.
     #[error("'{key}': {error}")]
@@ -89,6 +134,10 @@ pub enum BaselineError {
 
 fn always() -> bool {
     true
+}
+
+fn off() -> String {
+    "off".into()
 }
 
 /// Enough of a file to know its version: another one may have other keys.
@@ -125,11 +174,9 @@ impl Baseline {
     #[must_use]
     pub fn new(verification: &Verification, cases: &[String]) -> Self {
         let settings = &verification.settings;
-        let best = verification
-            .fingerprint
-            .as_ref()
-            .filter(|found| found.is_named())
-            .and_then(|found| found.best.as_ref());
+        let identified = verification.identification.as_ref();
+        let named = identified.and_then(Identified::named);
+        let deviations = identified.map(|identified| &identified.examined.deviations);
         Baseline {
             volver_baseline: VERSION,
             kernel: verification.declaration.name.clone(),
@@ -140,7 +187,17 @@ impl Baseline {
             divides: settings.steps == Steps::Divide,
             expect: settings.expect.as_ref().map(ToString::to_string),
             replicas: settings.replicas,
-            fingerprint: best.map(|best| best.model.to_string()),
+            fingerprint: None,
+            identify: settings.identify.name().into(),
+            rule: named.map(|rule| parts(rule).into_iter().map(BaselinePart::new).collect()),
+            deviations: deviations
+                .into_iter()
+                .flatten()
+                .map(|deviation| BaselineDeviation {
+                    name: deviation.name.into(),
+                    value: deviation.value,
+                })
+                .collect(),
             lines: verification.lines.iter().map(BaselineLine::new).collect(),
         }
     }
@@ -154,17 +211,16 @@ impl Baseline {
             reason: one_line(&error.to_string()),
         };
         let version: Versioned = serde_json::from_str(text).map_err(format)?;
-        if version.volver_baseline != u64::from(VERSION) {
+        if !(u64::from(FIRST)..=u64::from(VERSION)).contains(&version.volver_baseline) {
             return Err(BaselineError::Version {
                 found: version.volver_baseline,
             });
         }
         let baseline: Baseline = serde_json::from_str(text).map_err(format)?;
         baseline.settings()?;
-        let fingerprint = baseline.fingerprint.as_deref().unwrap_or_default();
-        if fingerprint.chars().any(char::is_control) {
+        if let Some(key) = baseline.of_control() {
             return Err(BaselineError::Format {
-                reason: "a control character in 'fingerprint'".into(),
+                reason: format!("a control character in '{key}'"),
             });
         }
         let mut names = BTreeSet::new();
@@ -181,6 +237,21 @@ impl Baseline {
             }
         }
         Ok(baseline)
+    }
+
+    /// Where there is text of more than one line.
+    fn of_control(&self) -> Option<&'static str> {
+        let of_rule = self.rule.iter().flatten();
+        let of_rule = of_rule.flat_map(|part| [&part.part[..], &part.words]);
+        let of_deviations = self.deviations.iter().map(|one| &one.name[..]);
+        let fingerprint = self
+            .fingerprint
+            .iter()
+            .map(|text| ("fingerprint", &text[..]));
+        let texts = fingerprint.chain(of_rule.map(|text| ("rule", text)));
+        let mut texts = texts.chain(of_deviations.map(|text| ("deviations", text)));
+        let found = texts.find(|(_, text)| text.chars().any(char::is_control));
+        found.map(|(key, _)| key)
     }
 
     /// As it is written to a file.
@@ -200,7 +271,17 @@ impl Baseline {
         let ladder = Ladder::segments(self.ladder.clone()).map_err(SettingsError::from);
         let ladder = ladder.and_then(|ladder| Settings::new(&ladder));
         let expect = self.expect.as_deref().map(Settings::order).transpose();
+        let identify = Identify::of_name(&self.identify);
+        let accepted = self.deviations.iter().map(BaselineDeviation::accepted);
         Ok(Settings {
+            // The first version says nothing of a rule: what is found now is told.
+            identify: match self.volver_baseline {
+                FIRST => Identify::Auto,
+                _ => identify.ok_or_else(|| BaselineError::Identify {
+                    found: self.identify.clone(),
+                })?,
+            },
+            accept: accepted.collect(),
             axis: if self.grid { Axis::Grid } else { Axis::Step },
             steps: match (self.uneven, self.divides) {
                 (true, _) => Steps::Uneven,
@@ -221,17 +302,10 @@ impl Baseline {
     pub fn moved(&self, now: &Verification) -> Vec<Moved> {
         let now_all = Baseline::new(now, &self.cases);
         let mut moved = Vec::new();
-        if self.fingerprint != now_all.fingerprint {
-            let shown = |found: &Option<String>| match found {
-                Some(model) => format!("computes {model}"),
-                None => "computes nothing known".into(),
-            };
-            moved.push(Moved {
-                name: "kernel".into(),
-                before: shown(&self.fingerprint),
-                now: shown(&now_all.fingerprint),
-                better: false,
-            });
+        // What was not looked for then has not moved.
+        if self.volver_baseline != FIRST && self.identify != "off" {
+            moved.extend(self.rule_moved(&now_all));
+            moved.extend(self.deviations_moved(now, &now_all));
         }
         for line in &now_all.lines {
             match self.lines.iter().find(|before| before.name == line.name) {
@@ -255,6 +329,133 @@ impl Baseline {
             }
         }
         moved
+    }
+
+    /// Parts of the rule that are not what they were.
+    fn rule_moved(&self, now: &Baseline) -> Option<Moved> {
+        let moved = |before: String, now: String, better| Moved {
+            name: "kernel".into(),
+            before,
+            now,
+            better,
+        };
+        let none = || "no rule is named".into();
+        let (before, now) = match (&self.rule, &now.rule) {
+            (None, None) => return None,
+            (None, Some(now)) => return Some(moved(none(), words(now), true)),
+            (Some(before), None) => return Some(moved(words(before), none(), false)),
+            (Some(before), Some(now)) => (before, now),
+        };
+        let only = |all: &[BaselinePart], others: &[BaselinePart]| -> Vec<BaselinePart> {
+            let is_new = |one: &&BaselinePart| !others.iter().any(|other| one.is_same(other));
+            all.iter().filter(is_new).cloned().collect()
+        };
+        let (gone, came) = (only(before, now), only(now, before));
+        if gone.is_empty() && came.is_empty() {
+            return None;
+        }
+        let was_wrong =
+            |part: &BaselinePart| self.deviations.iter().any(|one| one.name == part.part);
+        let better = came.is_empty() && gone.iter().all(was_wrong);
+        Some(moved(words(&gone), words(&came), better))
+    }
+
+    /// Deviations that came, went or have another value, but for parts of rules that are known both.
+    fn deviations_moved(&self, now: &Verification, now_all: &Baseline) -> Vec<Moved> {
+        let shown = |name: &str, value: Option<f64>| match value {
+            Some(value) => format!("{name}={value}"),
+            None => name.into(),
+        };
+        let mut moved = Vec::new();
+        let accepted: Vec<Accepted> = self
+            .deviations
+            .iter()
+            .map(BaselineDeviation::accepted)
+            .collect();
+        let found = now.identification.as_ref();
+        let both = self.rule.iter().zip(&now_all.rule);
+        let parts: BTreeSet<&str> = both
+            .flat_map(|(before, now)| before.iter().chain(now))
+            .map(|part| &part.part[..])
+            .collect();
+        let mut names = BTreeSet::new();
+        for (deviation, how) in found.iter().flat_map(|found| found.deviations(&accepted)) {
+            names.insert(deviation.name);
+            if parts.contains(deviation.name) {
+                continue;
+            }
+            let before = match how {
+                Acceptance::Accepted => continue,
+                Acceptance::Moved { from } => shown(deviation.name, Some(from)),
+                Acceptance::Unknown => "does not deviate".into(),
+            };
+            moved.push(Moved {
+                name: "kernel".into(),
+                before,
+                now: shown(deviation.name, deviation.value),
+                better: false,
+            });
+        }
+        let is_gone = |name: &str| !names.contains(name) && !parts.contains(name);
+        let gone = self.deviations.iter().filter(|one| is_gone(&one.name));
+        // Of a kernel that is not known any more nobody knows that.
+        let is_known = found.is_some_and(|found| found.named().is_some());
+        moved.extend(gone.filter(|_| is_known).map(|one| Moved {
+            name: "kernel".into(),
+            before: shown(&one.name, one.value),
+            now: "does not deviate".into(),
+            better: true,
+        }));
+        moved
+    }
+
+    /// What an older baseline says nothing of: deviations that are there now.
+    #[must_use]
+    pub fn unrecorded(&self, now: &Verification) -> Vec<String> {
+        if self.volver_baseline != FIRST {
+            return Vec::new();
+        }
+        let found = now.identification.iter();
+        let deviations = found.flat_map(|found| &found.examined.deviations);
+        let said = deviations.map(|deviation| format!("{}: {}", deviation.name, deviation.does));
+        said.collect()
+    }
+}
+
+/// All parts, in words.
+fn words(parts: &[BaselinePart]) -> String {
+    if parts.is_empty() {
+        return "plain".into();
+    }
+    let words: Vec<&str> = parts.iter().map(|part| &part.words[..]).collect();
+    words.join("; ")
+}
+
+impl BaselinePart {
+    fn new(stated: Stated) -> Self {
+        BaselinePart {
+            part: stated.part.name().into(),
+            value: stated.value,
+            words: stated.words,
+        }
+    }
+
+    /// Whether it is the same but for a hundredth of its value.
+    fn is_same(&self, other: &BaselinePart) -> bool {
+        self.part == other.part
+            && match self.value {
+                Some(value) => is_same(value, other.value),
+                None => other.value.is_none() && self.words == other.words,
+            }
+    }
+}
+
+impl BaselineDeviation {
+    fn accepted(&self) -> Accepted {
+        Accepted {
+            name: self.name.clone(),
+            value: self.value,
+        }
     }
 }
 

@@ -1,10 +1,12 @@
 //! A kernel put to the test: its orders on cases with known radiance, and what its values say it computes.
 
+mod accept;
 mod asked;
 #[cfg(feature = "studies")]
 mod baseline;
 mod expectation;
 mod explain;
+mod identified;
 mod line;
 mod nominal;
 pub(crate) mod peers;
@@ -15,9 +17,11 @@ mod settings;
 pub(crate) mod standing;
 mod truth;
 
+pub use accept::{Acceptance, Accepted, AcceptedError};
 #[cfg(feature = "studies")]
-pub use baseline::{Baseline, BaselineError, BaselineLine, Moved};
+pub use baseline::{Baseline, BaselineDeviation, BaselineError, BaselineLine, BaselinePart, Moved};
 pub use explain::Finding;
+pub use identified::{Identified, Identify};
 pub use line::{Failure, Line, Measured};
 pub use remark::Remark;
 pub use settings::{
@@ -31,7 +35,9 @@ use crate::diagnosis::{Accuracy, Fingerprint, Watched, fingerprint};
 use crate::kernel::{Declaration, DeclarationError, Kernel, Subject};
 use crate::reference::ReferenceError;
 use asked::Asked;
+use identified::{Ladder, identified};
 use seeds::Seeds;
+use std::time::Instant;
 
 /// A kernel that answers nothing on one case may answer on the next; on so many in a row, it does not.
 const UNANSWERED_CASES: u32 = 3;
@@ -50,6 +56,8 @@ pub struct Verification {
     pub lines: Vec<Line>,
     /// What its values are; `None` for a kernel that draws random numbers, or that gave none.
     pub fingerprint: Option<Fingerprint>,
+    /// What it computes; `None` where that was not to be read off, along the grid, or where there is no answer.
+    pub identification: Option<Identified>,
     /// Defects by name, with the channels that show them.
     pub findings: Vec<Finding>,
     /// So many seeds had answers of their own; `None` for a deterministic kernel.
@@ -111,6 +119,13 @@ impl Verification {
         repeat && self.lines.iter().any(errs)
     }
 
+    /// Whether what it computes speaks against it, but for what is accepted.
+    #[must_use]
+    pub fn deviates(&self) -> bool {
+        let identified = self.identification.as_ref();
+        identified.is_some_and(|identified| identified.speaks_against(&self.settings.accept))
+    }
+
     /// What it says in all.
     #[must_use]
     pub fn conclusion(&self) -> Conclusion {
@@ -119,6 +134,7 @@ impl Verification {
             .fingerprint
             .as_ref()
             .is_some_and(Fingerprint::contradicts_declaration);
+        let deviates = deviates || self.deviates();
         let failed = counts.failed + counts.contradicted > 0;
         // A case may hide an error, but not most of them: then the order is a higher one.
         let higher = self.lines.iter().filter(|line| {
@@ -167,6 +183,9 @@ pub fn verify(
     let mut watched: Vec<Watched> = Vec::new();
     let mut unanswered = 0;
     let mut seeds = Seeds::new(settings.replicas);
+    let started = Instant::now();
+    let identifies = settings.identify != Identify::Off && settings.axis == Axis::Step;
+    let (mut seen, mut rays) = (Vec::new(), 0);
     for subject in subjects {
         if unanswered < UNANSWERED_CASES {
             kernel.renew();
@@ -180,12 +199,25 @@ pub fn verify(
             unanswered + 1
         };
         for channel in 0..subject.channels().len() {
-            let (line, seen) = asked.line(channel, &answers)?;
+            let (line, values) = asked.line(channel, &answers)?;
             shown(&line);
             lines.push(line);
-            watched.push(seen);
+            watched.push(values);
+        }
+        rays += answers.rays();
+        if identifies {
+            seen.push(asked.seen(&answers)?);
         }
     }
+    let ladder = Ladder {
+        subjects,
+        levels: seen,
+        rays,
+        took: started.elapsed(),
+    };
+    let answers = !lines.iter().all(Line::is_without_answer);
+    let identification =
+        (identifies && answers).then(|| identified(kernel, settings, &ladder, &lines, progress));
     let quantum = declaration.quantum.unwrap_or(0.0);
     let accuracy = Accuracy::new(nominal::unit(&declaration), quantum);
     let complete: Vec<usize> = (0..lines.len())
@@ -210,6 +242,7 @@ pub fn verify(
         settings: settings.clone(),
         lines,
         fingerprint,
+        identification,
         findings,
         different_seeds,
     };

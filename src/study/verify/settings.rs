@@ -1,5 +1,6 @@
 //! How a kernel is tested.
 
+use super::{Accepted, Identify};
 use crate::case::nodes::gcd;
 use crate::convergence::{Ladder, LadderError, MIN_REPLICAS};
 use crate::diagnosis::Recipe;
@@ -34,6 +35,8 @@ const SPOTS: [(u64, Steps); 3] = [
 const LAST: (u32, u32) = (3, 10);
 /// With uneven steps, d is that part of D/n.
 const UNEVEN: (u32, u32) = (7, 8);
+/// Segments that are rendered to read off what most kernels compute, about.
+const IDENTIFYING: u64 = 8_000;
 /// Fewest levels that an order shows on.
 const MIN_LEVELS: usize = 4;
 
@@ -86,7 +89,7 @@ impl Steps {
 }
 
 /// How a kernel is tested.
-#[derive(Clone, Debug, PartialEq, Eq)]
+#[derive(Clone, Debug, PartialEq)]
 pub struct Settings {
     /// Numbers of segments n, or of cells of the grid, from coarse to fine.
     pub ladder: Vec<u64>,
@@ -100,6 +103,10 @@ pub struct Settings {
     pub entries: usize,
     /// Seeds a level, for kernels that draw random numbers.
     pub replicas: usize,
+    /// Whether it is read off what the kernel computes.
+    pub identify: Identify,
+    /// Deviations that are known.
+    pub accept: Vec<Accepted>,
 }
 
 /// Settings that cannot be.
@@ -173,6 +180,8 @@ impl Settings {
             expect: None,
             entries: TABLE_ENTRIES,
             replicas: REPLICAS,
+            identify: Identify::default(),
+            accept: Vec::new(),
         })
     }
 
@@ -256,9 +265,11 @@ impl Settings {
                 .map(move |cut| (cut, subject))
         });
         let segments = cuts.filter_map(|(cut, subject)| cut.on(subject.length()).ok());
-        segments
-            .map(|(_, count)| count.saturating_mul(seeds))
-            .fold(0, u64::saturating_add)
+        let identifies = self.axis == Axis::Step && self.identify != Identify::Off;
+        segments.map(|(_, count)| count.saturating_mul(seeds)).fold(
+            if identifies { IDENTIFYING } else { 0 },
+            u64::saturating_add,
+        )
     }
 
     /// Cells of the grid while the step along the ray is refined. Between them the medium has kinks, which stand at

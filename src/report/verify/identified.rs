@@ -1,0 +1,203 @@
+//! What a kernel computes, how that deviates, what it does to errors, and a ray that shows it.
+
+use super::words::NONE;
+use crate::convergence::Verdict;
+use crate::document::{Block, Finding, Medium, Tone};
+use crate::identify::Deviation;
+use crate::report::identify::words::{bracketed, kinds, number};
+use crate::study::verify::{
+    Acceptance, Accepted, Conclusion, Identified, Line, Measured, Standing, Verification,
+};
+
+/// Reasons why there is no rule that are told.
+const REASONS: usize = 3;
+
+/// The rule, and where it was seen to hold; or that there is none.
+pub(super) fn rule(verification: &Verification) -> Vec<Block> {
+    let Some(identified) = &verification.identification else {
+        return Vec::new();
+    };
+    let found = &identified.examined.found;
+    let mut blocks = Vec::new();
+    if let Some(rule) = identified.named() {
+        blocks.push(Block::Lines(rule.to_string()));
+        blocks.push(Block::Text(validated(identified)));
+    } else {
+        blocks.push(Block::Finding(no_rule(verification).toned(Tone::Open)));
+        let reasons = found.not_identified.iter().take(REASONS);
+        blocks.extend(reasons.map(|open| {
+            Block::Finding(Finding::new("not identified", &open.reason).toned(Tone::Open))
+        }));
+    }
+    if let Some(scattered) = &found.scattered {
+        blocks.push(Block::Text(scattered.to_string()));
+    }
+    blocks.extend(differs(identified).map(|finding| Block::Finding(finding.toned(Tone::Bad))));
+    blocks
+}
+
+fn no_rule(verification: &Verification) -> Finding {
+    let is_confirmed = verification.conclusion() == Conclusion::Confirmed;
+    Finding::new(
+        "",
+        if is_confirmed {
+            "order confirmed, rule not identified"
+        } else {
+            "rule not identified"
+        },
+    )
+}
+
+/// In which kinds of rays, and in how many channels of the ladder.
+fn validated(identified: &Identified) -> String {
+    let kinds = kinds(&identified.examined);
+    if identified.compared == 0 {
+        return kinds;
+    }
+    let (agrees, of) = (identified.agrees(), identified.compared);
+    format!("{kinds} On the ladder it agrees in {agrees} of {of} channels.")
+}
+
+/// Channels that the rule does not have.
+fn differs(identified: &Identified) -> impl Iterator<Item = Finding> {
+    let named = (!identified.differs.is_empty()).then(|| {
+        Finding::new(
+            "answers are not those of the rule in",
+            identified.differs.join(", "),
+        )
+    });
+    named.into_iter()
+}
+
+/// What deviates, what is accepted of it, and what it does to errors.
+pub(super) fn deviations(verification: &Verification) -> Vec<Block> {
+    let Some(identified) = &verification.identification else {
+        return Vec::new();
+    };
+    let accepted = &verification.settings.accept;
+    let mut blocks: Vec<Block> = said(identified, accepted).map(Block::Finding).collect();
+    if !blocks.is_empty() {
+        blocks.push(Block::Text(effect(&verification.lines)));
+    }
+    let all = &identified.examined.deviations;
+    let gone = accepted
+        .iter()
+        .filter(|one| all.iter().all(|deviation| deviation.name != one.name));
+    blocks.extend(gone.map(|one| {
+        Block::Finding(Finding::new(
+            "accepted, and not there any more",
+            one.to_string(),
+        ))
+    }));
+    blocks
+}
+
+fn said<'a>(
+    identified: &'a Identified,
+    accepted: &'a [Accepted],
+) -> impl Iterator<Item = Finding> + 'a {
+    let said = |(deviation, how): (&Deviation, Acceptance)| {
+        let words = bracketed(deviation);
+        match how {
+            Acceptance::Unknown => Finding::new(deviation.name, words).toned(Tone::Bad),
+            Acceptance::Accepted => {
+                Finding::new(deviation.name, format!("{words}; this is accepted")).toned(Tone::Open)
+            }
+            Acceptance::Moved { from } => {
+                let from = number(from);
+                Finding::new(deviation.name, format!("{words}; {from} was accepted"))
+                    .toned(Tone::Bad)
+            }
+        }
+    };
+    identified.deviations(accepted).map(said)
+}
+
+/// All that is said of a kernel, as findings: for programs that show nothing else.
+pub(super) fn findings(verification: &Verification) -> Vec<Finding> {
+    let Some(identified) = &verification.identification else {
+        return Vec::new();
+    };
+    let mut all = match identified.named() {
+        Some(rule) => vec![Finding::new(
+            "the rule is",
+            rule.to_string().replace('\n', "; "),
+        )],
+        None => vec![no_rule(verification)],
+    };
+    all.extend(differs(identified));
+    all.extend(said(identified, &verification.settings.accept));
+    let witness = identified.examined.witness.as_ref();
+    all.extend(witness.map(|witness| Finding::new("witness", witness.to_string())));
+    all
+}
+
+/// The smallest ray that shows it.
+pub(super) fn witness(verification: &Verification) -> Vec<Block> {
+    let identified = verification.identification.as_ref();
+    let witness = identified.and_then(|identified| identified.examined.witness.as_ref());
+    let Some(witness) = witness else {
+        return Vec::new();
+    };
+    let mut blocks = vec![Block::Lines(witness.to_string())];
+    if let Ok(task) = witness.ray.to_json() {
+        blocks.push(Block::Lines(task).only(Medium::Written));
+    }
+    blocks
+}
+
+/// What the orders say of it: one sentence.
+fn effect(lines: &[Line]) -> String {
+    let of = |verdict: Verdict| -> Vec<&Line> {
+        let contradicted = lines
+            .iter()
+            .filter(|line| line.standing == Standing::Contradicted);
+        contradicted
+            .filter(|line| line.measured.verdict() == verdict)
+            .collect()
+    };
+    let mut words = Vec::new();
+    let stalled = of(Verdict::Stalled);
+    if let Some(first) = stalled.first() {
+        let (count, name) = (stalled.len(), &first.name);
+        let left = left(first);
+        words.push(format!(
+            "stop falling in {count} (in {name} at {left} of the radiance)"
+        ));
+    }
+    let lower = of(Verdict::TooLow);
+    if let Some(first) = lower.first() {
+        let order = first.measured.order();
+        let order = order.map_or(NONE.into(), |(order, _)| format!("{order:.2}"));
+        let (count, name) = (lower.len(), &first.name);
+        words.push(format!(
+            "fall with a lower order in {count} (in {name} with {order})"
+        ));
+    }
+    let grow = of(Verdict::Diverged).len();
+    if grow > 0 {
+        words.push(format!("grow in {grow}"));
+    }
+    if words.is_empty() {
+        return format!(
+            "In none of the {} channels is an order lost by that.",
+            lines.len()
+        );
+    }
+    format!(
+        "Of {} channels errors {}.",
+        lines.len(),
+        words.join(", and ")
+    )
+}
+
+/// The error at the finest level, as a part of the radiance.
+fn left(line: &Line) -> String {
+    let Measured::Fitted { samples, .. } = &line.measured else {
+        return NONE.into();
+    };
+    let error = samples.last().map(|sample| sample.error.to_f64().abs());
+    error.map_or(NONE.into(), |error| {
+        format!("{:.0e}", error / line.exact.to_f64().abs())
+    })
+}
