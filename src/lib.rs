@@ -7,11 +7,11 @@
 //! rules, and a [`method`] approximates the integral on n segments; a [`reference`](mod@reference) is the
 //! radiance to any number of digits; [`convergence`] fits the order of accuracy to its errors on a ladder
 //! of n, with an interval and a verdict. A [`kernel`] is somebody else's implementation, put to the same test, and
-//! [`diagnosis`] finds out from its values what it computes; [`assert_order!`] is that test in three lines.
+//! [`identify`] reads off what it computes; [`assert_order!`] is that test in three lines.
 //! A [`study`] runs many; [`report`] makes a [`document`] of what came out, which [`render`] shows in any format. A `scene` is a
 //! ray as users have it, and a plan the least that it needs. A [`proof`] says a case to the proof assistant Coq.
 //! A module uses only those that stand before it: `real`, `symbolic`, `case`, `proof`, `scene`, `quadrature`, `method`, `kernel`,
-//! `reference`, `confirm`, `convergence`, `diagnosis`, `study`, `document`, `render`, `report`, `assert`.
+//! `reference`, `confirm`, `convergence`, `identify`, `study`, `document`, `render`, `report`, `assert`.
 //!
 //! The feature `studies` has the modules `scene` and `proof`, all of `study` and `report` but the verification of kernels, and
 //! what only these need; the feature `half` has `f16` and `bf16` as the crate of that name computes them, and not emulated; the
@@ -46,7 +46,6 @@ pub mod assert;
 pub mod case;
 pub mod confirm;
 pub mod convergence;
-pub mod diagnosis;
 pub mod document;
 pub mod identify;
 pub mod input;

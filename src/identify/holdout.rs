@@ -666,8 +666,11 @@ pub(super) fn compare(
             own.map(|c| c.abs()).fold(0.0, f64::max)
         };
         let bright = values(&segments.edges.emission).max(values(&segments.middles.emission));
-        // Every segment rounds a few times, its opacity by a unit of 1.
-        let size = x.abs() + composed.factor.abs() * bright * rule.largest_scale();
+        // Every segment rounds a few times, its opacity by a unit of 1; opacities above 1 make terms alternate that are
+        // larger than anything given.
+        let terms = composed.sizes(segments, channel);
+        let largest = (bright * rule.largest_scale()).max(terms);
+        let size = x.abs() + composed.factor.abs() * largest;
         let slack = answers.unit * (16.0 + 4.0 * n) * size + answers.noise * size;
         let slack = slack + answers.grain * n * size;
         let slack = slack + answers.unit * 8.0 * bright * cancels;

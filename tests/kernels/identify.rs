@@ -6,6 +6,7 @@ mod composed;
 mod compositions;
 mod deviation;
 mod forms;
+mod linear;
 mod pairs;
 mod random;
 mod stated;

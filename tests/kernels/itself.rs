@@ -2,7 +2,6 @@
 
 use volver::case::catalogue;
 use volver::case::manufacture::manufacture;
-use volver::diagnosis::Fingerprint;
 use volver::kernel::{BuiltIn, Subject};
 use volver::method::Method;
 use volver::real::FormatName;
@@ -56,10 +55,16 @@ fn contradicted(
     for settings in ladders {
         let mut kernel = BuiltIn::new(method, format);
         let found = verify(&mut kernel, subjects, settings, &Silent, &mut |_| ()).unwrap();
-        let values = found.fingerprint.as_ref();
-        if values.is_some_and(Fingerprint::contradicts_declaration) {
-            let steps = settings.steps.name();
+        let steps = settings.steps.name();
+        if found.contradicts_declaration() {
             said.push(format!("{method}@{format}, {steps}: other values"));
+        }
+        if let Some(identified) = found.identification.as_ref().filter(|_| found.deviates()) {
+            let deviations = &identified.examined.deviations;
+            let differs = &identified.differs;
+            said.push(format!(
+                "{method}@{format}, {steps}: {deviations:?} {differs:?}"
+            ));
         }
         // Methods for polynomials fail on other cases.
         let lines = found.lines.iter();

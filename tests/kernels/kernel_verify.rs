@@ -13,7 +13,9 @@ use volver::case::manufacture::manufacture;
 use volver::convergence::{Ladder, Sample};
 use volver::kernel::{Declaration, Kernel, Segments, Subject};
 use volver::study::Silent;
-use volver::study::verify::{Line, Measured, Settings, Standing, Steps, Verification, verify};
+use volver::study::verify::{
+    Identified, Line, Measured, Settings, Standing, Steps, Verification, verify,
+};
 
 /// Smooth cases in which nothing hides an error: thin and thick, short and long, with one channel and three.
 const SMOOTH: [&str; 8] = [
@@ -108,10 +110,21 @@ fn shown(verification: &Verification) -> String {
         )
     };
     let lines: String = verification.lines.iter().map(line).collect();
-    let best = verification
-        .fingerprint
-        .as_ref()
-        .and_then(|f| f.best.as_ref());
-    let best = best.map(|best| format!("{} {} of {}", best.model, best.agrees.len(), best.of));
-    format!("{lines}{best:?} {:?}", verification.findings)
+    let said = rule(verification);
+    let deviations = deviations(verification);
+    format!("{lines}{said}\n{deviations:?} {:?}", verification.findings)
+}
+
+/// What it is found to compute.
+fn rule(verification: &Verification) -> String {
+    let identified = verification.identification.as_ref();
+    let named = identified.and_then(Identified::named);
+    named.map_or("not identified".into(), ToString::to_string)
+}
+
+/// In what that deviates.
+fn deviations(verification: &Verification) -> Vec<&'static str> {
+    let identified = verification.identification.iter();
+    let all = identified.flat_map(|identified| &identified.examined.deviations);
+    all.map(|deviation| deviation.name).collect()
 }

@@ -11,7 +11,6 @@
 )]
 
 mod assert;
-mod diagnosis;
 mod identify;
 mod itself;
 mod kernel;

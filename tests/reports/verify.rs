@@ -179,7 +179,7 @@ fn a_terminal_that_has_shown_the_rows_is_told_the_rest() {
         assert!(!text.contains(row), "{row}: {text}");
     }
     assert!(
-        text.contains("\n* the values are those of: middle samples, "),
+        text.contains("\n  samples in the middle of segments\n"),
         "{text}"
     );
     assert!(text.contains("\n✓ confirmed, ✗ contradicted, ? inconclusive, · blind, ! failed\n"));
@@ -195,15 +195,16 @@ fn a_terminal_that_has_shown_the_rows_is_told_the_rest() {
 #[test]
 fn values_of_another_method_are_said_to_be_so_everywhere() {
     let wrong = verification(&["cloud", "rgb-transfer", "sine-squared"], "8..128", true);
-    let found = "the values are those of: front samples, 1 - exp(-τd): agrees to ";
-    let only = "that is not what it declares: middle samples, 1 - exp(-τd) gives these values in 0 of \
-                5 channels only";
+    let found = "place: samples lie at the front of segments, in place of: samples lie in the middle of \
+                 segments";
+    let only = "that is not what it declares: front-to-back/middle/expm1 gives these values in 0 of 5 \
+                channels only";
     let text = said(&wrong, 80);
     assert!(
         text.lines().all(|line| line.chars().count() <= 80),
         "{text}"
     );
-    assert!(text.contains("\n! the values are those of: "), "{text}");
+    assert!(text.contains("\n! place: "), "{text}");
     for words in [found, only] {
         assert!(unwrapped(&text).contains(words), "{text}");
         assert!(junit(&wrong).contains(words));
@@ -212,10 +213,7 @@ fn values_of_another_method_are_said_to_be_so_everywhere() {
         assert!(written(&wrong).contains(&bold), "{}", written(&wrong));
     }
     let painted = terminal(&document(&wrong, &about()), 200, true);
-    assert!(
-        painted.contains("\u{1b}[31m! the values are those of: "),
-        "{painted}"
-    );
+    assert!(painted.contains("\u{1b}[31m! place: "), "{painted}");
     // In some channels both ends are dark, and samples in front are as good.
     let stand = |standing| {
         wrong
@@ -239,7 +237,7 @@ fn values_of_another_method_are_said_to_be_so_everywhere() {
 fn many_channels_of_a_finding_are_counted_on_a_terminal_and_named_in_writing() {
     let mut all = verification(&["thick"], "8..64", false);
     let of = |count: usize| Finding {
-        defect: format!("seen in {count}"),
+        words: format!("seen in {count}"),
         channels: (0..count).map(|i| format!("channel-{i}")).collect(),
         wrong: true,
     };
@@ -247,24 +245,24 @@ fn many_channels_of_a_finding_are_counted_on_a_terminal_and_named_in_writing() {
     let text = said(&all, 200);
     let written = written(&all);
     for (text, words) in [
-        (&text, "! defect: seen in 0 (-)\n"),
-        (&text, "! defect: seen in 2 (channel-0, channel-1)\n"),
-        (&text, "! defect: seen in 7 (7 channels)\n"),
+        (&text, "! wrong: seen in 0 (-)\n"),
+        (&text, "! wrong: seen in 2 (channel-0, channel-1)\n"),
+        (&text, "! wrong: seen in 7 (7 channels)\n"),
         (
             &written,
-            "- **defect**: seen in 7 (channel-0, channel-1, channel-2, ",
+            "- **wrong**: seen in 7 (channel-0, channel-1, channel-2, ",
         ),
     ] {
         assert!(text.contains(words), "{text}");
     }
     assert!(!written.contains("(7 channels)"), "{written}");
-    assert!(junit(&all).contains("defect: seen in 7 (channel-0, channel-1, "));
-    // What does not speak against the kernel is no defect.
+    assert!(junit(&all).contains("wrong: seen in 7 (channel-0, channel-1, "));
+    // What does not speak against the kernel is not wrong.
     for finding in &mut all.findings {
         finding.wrong = false;
     }
     assert!(said(&all, 200).contains("\n! found: seen in 2 (channel-0, channel-1)\n"));
-    assert!(!said(&all, 200).contains("defect: "));
+    assert!(!said(&all, 200).contains("wrong: "));
 }
 
 #[test]
@@ -321,7 +319,7 @@ fn every_channel_with_errors_has_a_row_and_a_figure() {
 #[test]
 fn nothing_found_has_no_section_of_its_own() {
     let mut all = verification(&["vacuum"], "8..64", false);
-    (all.fingerprint, all.findings) = (None, Vec::new());
+    (all.identification, all.findings) = (None, Vec::new());
     let document = document(&all, &about());
     let titles = |medium| {
         let shown = document.shown_in(&[medium]).into_iter();

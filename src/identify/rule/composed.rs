@@ -25,6 +25,18 @@ pub struct Composed<R> {
     pub factor: R,
 }
 
+impl Composed<f64> {
+    /// Σ |Tₖ wₖ Cₖ|: what a radiance is made of, where terms cancel.
+    #[must_use]
+    pub(crate) fn sizes(&self, ray: &Segments, channel: usize) -> f64 {
+        let size = |(node, weight): &(Node, f64)| {
+            let emission = emission(ray, *node, channel).unwrap_or(f64::NAN);
+            (weight * emission).abs()
+        };
+        self.terms.iter().map(size).sum()
+    }
+}
+
 /// What one step of the march does.
 struct Layer<R> {
     adds: Vec<(Node, R)>,

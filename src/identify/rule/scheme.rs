@@ -1,8 +1,7 @@
 //! What a segment's weights are made of.
 
-use super::{Law, Node};
+use super::{Law, LinearSegments, Node};
 use crate::case::Transfer;
-use crate::diagnosis::LinearSegments;
 use crate::real::{Format, Real};
 use rug::Rational;
 use serde::Serialize;

@@ -3,7 +3,6 @@
 use super::words::theory;
 use crate::case::Unproved;
 use crate::convergence::{Fit, ReportedError, Sample, StochasticFit, serialize_float};
-use crate::diagnosis::Match;
 use crate::report::{ReportError, identify};
 use crate::study::verify::{Axis, Identified, Line, Measured, Verification};
 use rug::Float;
@@ -19,7 +18,8 @@ struct Document<'a> {
     ladder: &'a [u64],
     conclusion: &'static str,
     counts: Counts,
-    fingerprint: Option<Found>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    as_declared: Option<Declared>,
     #[serde(skip_serializing_if = "Option::is_none")]
     identification: Option<Identification<'a>>,
     findings: Vec<Finding<'a>>,
@@ -53,15 +53,11 @@ struct Counts {
     failed: usize,
 }
 
+/// In how many channels values are those of the declared method.
 #[derive(Serialize)]
-struct Found {
-    named: bool,
-    model: Option<String>,
-    digits: Option<f64>,
-    agrees: usize,
+struct Declared {
+    agree: usize,
     of: usize,
-    alike: Vec<String>,
-    contradicts_declaration: bool,
 }
 
 #[derive(Serialize)]
@@ -85,7 +81,7 @@ struct Agreement<'a> {
 
 #[derive(Serialize)]
 struct Finding<'a> {
-    defect: &'a str,
+    words: &'a str,
     channels: &'a [String],
 }
 
@@ -123,7 +119,7 @@ struct Failure {
     error: String,
 }
 
-/// `{"volver": version, "kernel": …, "conclusion": …, "fingerprint": …, "lines": […]}`, indented, with a newline at
+/// `{"volver": version, "kernel": …, "conclusion": …, "identification": …, "lines": […]}`, indented, with a newline at
 /// the end.
 ///
 /// # Errors
@@ -162,18 +158,9 @@ pub fn json(verification: &Verification) -> Result<String, ReportError> {
             blind: counts.blind,
             failed: counts.failed,
         },
-        fingerprint: verification.fingerprint.as_ref().map(|found| {
-            let best: Option<&Match> = found.best.as_ref();
-            Found {
-                named: found.is_named(),
-                model: best.map(|best| best.model.to_string()),
-                digits: best.map(|best| best.digits),
-                agrees: best.map_or(0, |best| best.agrees.len()),
-                of: best.map_or(0, |best| best.of),
-                alike: found.alike.iter().map(ToString::to_string).collect(),
-                contradicts_declaration: found.contradicts_declaration(),
-            }
-        }),
+        as_declared: verification
+            .as_declared()
+            .map(|(agree, of)| Declared { agree, of }),
         identification: verification
             .identification
             .as_ref()
@@ -183,7 +170,7 @@ pub fn json(verification: &Verification) -> Result<String, ReportError> {
             .findings
             .iter()
             .map(|finding| Finding {
-                defect: &finding.defect,
+                words: &finding.words,
                 channels: &finding.channels,
             })
             .collect(),

@@ -1,6 +1,6 @@
-//! `JUnit` XML, which CI servers show: one test case a channel, and one for the fingerprint.
+//! `JUnit` XML, which CI servers show: one test case a channel, and one for what the kernel computes.
 
-use super::words::{failure, failures, findings, fingerprint, order, theory};
+use super::words::{failure, failures, findings, not_declared, order, theory};
 use super::{deviates, identified};
 use crate::document::Finding;
 use crate::study::verify::{Conclusion, Line, Standing, Verification};
@@ -23,7 +23,7 @@ pub fn junit(verification: &Verification) -> String {
     }
     let deviates = deviates(verification);
     let said = identified::findings(verification).into_iter();
-    let said = said.chain(fingerprint(verification));
+    let said = said.chain(not_declared(verification));
     let said = said.chain(findings(verification, usize::MAX));
     let sentences: Vec<String> = said.map(|said| Finding::sentence(&said)).collect();
     let sentences = escape(&sentences.join("; "));
@@ -34,7 +34,7 @@ pub fn junit(verification: &Verification) -> String {
     };
     let _ = writeln!(
         cases,
-        "    <testcase classname=\"{suite}\" name=\"fingerprint\">{inside}</testcase>"
+        "    <testcase classname=\"{suite}\" name=\"identification\">{inside}</testcase>"
     );
     let counts = verification.counts();
     let nothing = verification.conclusion() != Conclusion::Confirmed

@@ -18,7 +18,6 @@ pub use rows::{heading, row, scattered_heading};
 #[cfg(feature = "studies")]
 use super::plots;
 use super::unproved::not_proved;
-use crate::diagnosis::Fingerprint;
 use crate::document::{
     self, About, Block, Cell, Column, Document, Fact, Finding, Medium, Section, Table, Tone,
 };
@@ -31,7 +30,7 @@ use crate::study::verify::{Conclusion, Line, Measured, Standing, Verification};
 #[cfg(feature = "studies")]
 use std::path::{Path, PathBuf};
 use words::{
-    BLIND, SIGNS, axis, conclusion, failure, failures, findings, fingerprint, floor, largest,
+    BLIND, SIGNS, axis, conclusion, failure, failures, findings, floor, largest, not_declared,
     order, theory, unresolved, window,
 };
 
@@ -131,9 +130,10 @@ fn counts(verification: &Verification) -> Vec<Fact> {
     shown.map(fact).chain([of]).collect()
 }
 
-/// The fingerprint, and defects by name; where these are in many channels a terminal has their number.
+/// Whether the values are the declared ones, and what else was found; where that is in many channels a terminal has their
+/// number.
 fn said_by_values(verification: &Verification) -> Vec<Block> {
-    let said = fingerprint(verification).into_iter().map(Block::Finding);
+    let said = not_declared(verification).into_iter().map(Block::Finding);
     let found = [(NAMED, Medium::Terminal), (usize::MAX, Medium::Written)].map(|(most, medium)| {
         let found = findings(verification, most).into_iter();
         found.map(move |found| Block::Finding(found).only(medium))
@@ -258,10 +258,11 @@ fn legend(verification: &Verification) -> Section {
     Section::of("signs", "Signs", lines).aside()
 }
 
-/// Whether a fingerprint speaks against the kernel.
+/// Whether what it computes speaks against the kernel.
+#[cfg(feature = "studies")]
 fn deviates(verification: &Verification) -> bool {
-    let found = verification.fingerprint.as_ref();
-    found.is_some_and(Fingerprint::contradicts_declaration) || verification.deviates()
+    let contradicts = verification.contradicts_declaration() && !verification.is_explained();
+    contradicts || verification.deviates()
 }
 
 /// How good or bad a standing is.

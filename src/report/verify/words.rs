@@ -1,7 +1,6 @@
 //! The words that the reports of a verification share.
 
-use super::{deviates, scattered};
-use crate::diagnosis::{Match, Model};
+use super::scattered;
 use crate::document::{Finding, Tone};
 use crate::method::Expected;
 use crate::study::verify::{
@@ -212,69 +211,22 @@ pub(super) fn counts(counts: Counts, of: usize) -> String {
     )
 }
 
-/// What the values say in all.
-pub(super) fn fingerprint(verification: &Verification) -> Vec<Finding> {
-    let Some(found) = &verification.fingerprint else {
-        return Vec::new();
-    };
-    let tone = deviates(verification).then_some(Tone::Bad);
-    let said = |label: &str, words: &str| Finding {
-        tone,
-        ..Finding::new(label, words)
-    };
-    let unknown = "no known model reproduces the values";
-    let mut findings = vec![match &found.best {
-        Some(best) if found.is_named() => said("the values are those of", &matched(best)),
-        Some(best) if 2 * best.agrees.len() >= best.of && best.digits >= 1.0 => {
-            said(&format!("{unknown}; nearest"), &matched(best))
-        }
-        _ => said("", unknown),
-    }];
-    if found.is_named() && !found.alike.is_empty() {
-        let alike = found.alike.iter().take(3).map(ToString::to_string);
-        let alike = alike.collect::<Vec<String>>().join("; or ");
-        findings.push(Finding::new("the same numbers come from", alike));
-    }
-    if found.contradicts_declaration() {
-        findings.push(match &found.declared {
-            Some(declared) => said("that is not what it declares", &outside(declared)),
-            None => said("", "that is not where it declares to sample"),
-        });
-    }
-    findings
+/// Values that are not those of the declared method.
+pub(super) fn not_declared(verification: &Verification) -> Option<Finding> {
+    let (agree, of) = verification
+        .as_declared()
+        .filter(|(agree, of)| agree < of)?;
+    let method = verification.declaration.method?;
+    let words = format!("{method} gives these values in {agree} of {of} channels only");
+    Some(Finding::new("that is not what it declares", words).toned(Tone::Bad))
 }
 
-/// "front samples, …: agrees to 15 digits in 22 of 24 cases".
-fn matched(best: &Match) -> String {
-    let digits = best.digits.floor();
-    let (agrees, of) = (best.agrees.len(), best.of);
-    format!(
-        "{}: agrees to {digits} digits in {agrees} of {of} channels",
-        best.model
-    )
-}
-
-/// How little the declared method is seen in the values.
-fn outside(declared: &Match) -> String {
-    let Match {
-        model, agrees, of, ..
-    } = declared;
-    let model = match model {
-        Model::Recipe(recipe) => recipe.to_string(),
-        Model::Method(method) => method.to_string(),
-    };
-    format!(
-        "{model} gives these values in {} of {of} channels only",
-        agrees.len()
-    )
-}
-
-/// Defects by name, with their channels, or with the number of these where there are more than so many; what is no defect
-/// is said to be found.
+/// What was found, with its channels, or with the number of these where there are more than so many; what speaks against the
+/// kernel is wrong.
 pub(super) fn findings(verification: &Verification, most: usize) -> Vec<Finding> {
     let findings = verification.findings.iter().map(|found| {
         let (label, tone) = if found.wrong {
-            ("defect", Tone::Bad)
+            ("wrong", Tone::Bad)
         } else {
             ("found", Tone::Open)
         };
@@ -283,7 +235,7 @@ pub(super) fn findings(verification: &Verification, most: usize) -> Vec<Finding>
             channels if channels.len() > most => format!("{} channels", channels.len()),
             channels => channels.join(", "),
         };
-        Finding::new(label, format!("{} ({channels})", found.defect)).toned(tone)
+        Finding::new(label, format!("{} ({channels})", found.words)).toned(tone)
     });
     findings.collect()
 }

@@ -3,6 +3,7 @@
 mod answered;
 mod floor;
 mod resolved;
+mod sampled;
 mod used;
 
 use super::identified::SeenLevel;

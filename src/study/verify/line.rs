@@ -30,6 +30,9 @@ pub struct Line {
     /// Where answers are multiples of a quantum, and methods are less than half of it off at the finest level: whether the
     /// answer there is right to one.
     pub right_to_quantum: Option<bool>,
+    /// Whether the answers of all levels are those of the declared method; `None` where nothing is declared, or nothing can
+    /// be told.
+    pub as_declared: Option<bool>,
     /// What is visibly wrong.
     pub remarks: Vec<Remark>,
     /// Whether the coarsest level gave the same radiance twice: of a kernel that draws random numbers, to the same seed.
@@ -181,6 +184,12 @@ impl Radiances {
         if self.levels.last().is_none_or(refines) {
             self.levels.push(level);
         }
+    }
+
+    /// Whether every answer is a number.
+    pub(super) fn are_finite(&self) -> bool {
+        let mut values = self.levels.iter().flat_map(|level| &level.values);
+        values.all(Float::is_finite)
     }
 
     fn error(&self, value: &Float) -> Float {

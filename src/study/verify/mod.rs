@@ -31,7 +31,6 @@ pub use standing::{Counts, Standing};
 
 use super::Progress;
 use crate::convergence::Verdict;
-use crate::diagnosis::{Accuracy, Fingerprint, Watched, fingerprint};
 use crate::kernel::{Declaration, DeclarationError, Kernel, Subject};
 use crate::reference::ReferenceError;
 use asked::Asked;
@@ -54,11 +53,9 @@ pub struct Verification {
     pub settings: Settings,
     /// One a channel, in the order of the cases.
     pub lines: Vec<Line>,
-    /// What its values are; `None` for a kernel that draws random numbers, or that gave none.
-    pub fingerprint: Option<Fingerprint>,
     /// What it computes; `None` where that was not to be read off, along the grid, or where there is no answer.
     pub identification: Option<Identified>,
-    /// Defects by name, with the channels that show them.
+    /// What else was found, with the channels that show it.
     pub findings: Vec<Finding>,
     /// So many seeds had answers of their own; `None` for a deterministic kernel.
     pub different_seeds: Option<usize>,
@@ -119,6 +116,23 @@ impl Verification {
         repeat && self.lines.iter().any(errs)
     }
 
+    /// In how many channels the values are those of the declared method, and of how many; `None` where there is nothing to
+    /// compare.
+    #[must_use]
+    pub fn as_declared(&self) -> Option<(usize, usize)> {
+        let compared = self.lines.iter().filter_map(|line| line.as_declared);
+        let (agree, of) = compared.fold((0, 0), |(agree, of), as_declared| {
+            (agree + usize::from(as_declared), of + 1)
+        });
+        (of > 0).then_some((agree, of))
+    }
+
+    /// Whether a method is declared and the values are not its.
+    #[must_use]
+    pub fn contradicts_declaration(&self) -> bool {
+        self.as_declared().is_some_and(|(agree, of)| agree < of)
+    }
+
     /// Whether what it computes speaks against it, but for what is accepted.
     #[must_use]
     pub fn deviates(&self) -> bool {
@@ -126,15 +140,22 @@ impl Verification {
         identified.is_some_and(|identified| identified.speaks_against(&self.settings.accept))
     }
 
+    /// Whether there are deviations that are all accepted, from which the values follow.
+    #[must_use]
+    pub fn is_explained(&self) -> bool {
+        let accepted = &self.settings.accept;
+        self.identification.as_ref().is_some_and(|identified| {
+            let has_any = !identified.examined.deviations.is_empty();
+            has_any && identified.named().is_some() && !identified.speaks_against(accepted)
+        })
+    }
+
     /// What it says in all.
     #[must_use]
     pub fn conclusion(&self) -> Conclusion {
         let counts = self.counts();
-        let deviates = self
-            .fingerprint
-            .as_ref()
-            .is_some_and(Fingerprint::contradicts_declaration);
-        let deviates = deviates || self.deviates();
+        let contradicts = self.contradicts_declaration() && !self.is_explained();
+        let deviates = contradicts || self.deviates();
         let failed = counts.failed + counts.contradicted > 0;
         // A case may hide an error, but not most of them: then the order is a higher one.
         let higher = self.lines.iter().filter(|line| {
@@ -180,7 +201,6 @@ pub fn verify(
     declaration.check()?;
     let settings = &settings.suited(&declaration)?;
     let mut lines = Vec::new();
-    let mut watched: Vec<Watched> = Vec::new();
     let mut unanswered = 0;
     let mut seeds = Seeds::new(settings.replicas);
     let started = Instant::now();
@@ -199,10 +219,9 @@ pub fn verify(
             unanswered + 1
         };
         for channel in 0..subject.channels().len() {
-            let (line, values) = asked.line(channel, &answers)?;
+            let line = asked.line(channel, &answers)?;
             shown(&line);
             lines.push(line);
-            watched.push(values);
         }
         rays += answers.rays();
         if identifies {
@@ -218,30 +237,14 @@ pub fn verify(
     let answers = !lines.iter().all(Line::is_without_answer);
     let identification =
         (identifies && answers).then(|| identified(kernel, settings, &ladder, &lines, progress));
-    let quantum = declaration.quantum.unwrap_or(0.0);
-    let accuracy = Accuracy::new(nominal::unit(&declaration), quantum);
-    let complete: Vec<usize> = (0..lines.len())
-        .filter(|&index| lines[index].is_complete())
+    let findings = explain::unsteady(&declaration, &lines)
+        .into_iter()
         .collect();
-    let steady = !declaration.stochastic && lines.iter().all(|line| line.steady);
-    let comparable = steady && settings.axis == Axis::Step;
-    let fingerprint = (comparable && !complete.is_empty()).then(|| {
-        let whole: Vec<Watched> = complete.iter().map(|&i| watched[i].clone()).collect();
-        let mut found = fingerprint(&whole, &declaration, accuracy);
-        for one in found.best.iter_mut().chain(found.declared.iter_mut()) {
-            for index in &mut one.agrees {
-                *index = complete[*index];
-            }
-        }
-        found
-    });
-    let findings = explain::findings(&declaration, &lines, &watched, fingerprint.as_ref());
     let different_seeds = declaration.stochastic.then(|| seeds.different());
     let mut verification = Verification {
         declaration,
         settings: settings.clone(),
         lines,
-        fingerprint,
         identification,
         findings,
         different_seeds,

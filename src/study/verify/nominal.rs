@@ -1,10 +1,14 @@
 //! What the declared method itself gives at every level: exactly, and in the declared format.
 
+mod marched;
+
 use crate::case::SymbolicCase;
-use crate::diagnosis::{Model, Ray, Recipe, radiance_by};
+use crate::identify::rule::{Law, Rule, Scheme, Shape, Wall};
+use crate::identify::stated;
 use crate::kernel::{Declaration, FormKind, Segments, radiance_in};
 use crate::method::{Method, OpacityFormula};
-use crate::real::{Format, FormatName, Real, WithFormat};
+use crate::real::{Format, FormatName, Native, Real, WithFormat};
+use marched::marched;
 use rug::Float;
 
 /// Bits of the run that counts as exact, beyond those of the format.
@@ -15,6 +19,17 @@ pub(super) fn unit(declaration: &Declaration) -> f64 {
     (-f64::from(declaration.format.bits())).exp2()
 }
 
+/// One channel of a ray, as a kernel was given it or has cut it.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Given<'a> {
+    pub(super) case: &'a SymbolicCase,
+    pub(super) segments: &'a Segments,
+    pub(super) step: f64,
+    pub(super) channel: usize,
+    /// n, where all segments are of the same length.
+    pub(super) uniform: Option<u64>,
+}
+
 /// The declared method's radiance at one level.
 #[derive(Clone, Debug)]
 pub(super) struct Nominal {
@@ -22,54 +37,106 @@ pub(super) struct Nominal {
     pub(super) exact: Float,
     /// In the declared format.
     pub(super) in_format: Float,
+    /// Σ |Tⱼ αⱼ Cⱼ|, where opacities above 1 make terms alternate in sign.
+    terms: Option<f64>,
+    /// Of the samples that the kernel was given, and not of the case.
+    is_of_samples: bool,
+}
+
+impl Nominal {
+    /// Whether it comes of the samples that the kernel was given, and not of the case.
+    pub(super) fn is_of_samples(&self) -> bool {
+        self.is_of_samples
+    }
+
+    /// Whether an answer is the declared method's.
+    ///
+    /// Each of n segments rounds a few times; the bound N·2⁻²² of `docs/stress.md` is 4 n u. An opacity
+    /// 1 − e^(−x) is wrong by up to u, whatever its size: n u max |C| in all.
+    pub(super) fn agrees(
+        &self,
+        value: f64,
+        scale: f64,
+        given: &Given<'_>,
+        declaration: &Declaration,
+    ) -> bool {
+        // Answers come in binary64.
+        let unit = unit(declaration).max(f64::EPSILON / 2.0);
+        let model = self.exact.to_f64();
+        let n = given.segments.count() as f64;
+        let size = scale.max(model.abs()).max(self.terms.unwrap_or(0.0));
+        let bright = largest_emission(given.segments, given.channel);
+        let rounding = unit * ((32.0 + 4.0 * n) * size + 2.0 * n * bright);
+        (value - model).abs() <= rounding + 0.5001 * declaration.quantum.unwrap_or(0.0)
+    }
+}
+
+/// The largest |C| that was given.
+fn largest_emission(segments: &Segments, channel: usize) -> f64 {
+    let all = [&segments.edges, &segments.middles];
+    let all = all.into_iter().filter_map(|of| of.emission.get(channel));
+    all.flatten().map(|c| c.abs()).fold(0.0, f64::max)
 }
 
 /// The declared method on one level of one channel; `None` where nothing is declared, or it has no value there.
-pub(super) fn at_level(
-    declaration: &Declaration,
-    case: &SymbolicCase,
-    segments: &Segments,
-    channel: usize,
-    uniform: Option<u64>,
-) -> Option<Nominal> {
+pub(super) fn at_level(declaration: &Declaration, given: &Given<'_>) -> Option<Nominal> {
+    let method = declaration.method?;
     let more = FormatName::Mpfr(declaration.format.bits() + MORE_BITS);
-    match Model::of_method(declaration.method?) {
-        Model::Recipe(recipe) => {
-            let recipe = Recipe {
-                wall: declaration.far_wall,
-                ..recipe
-            };
-            // Linear opacities are those of the recipe; the others differ by their rounding.
-            let formula = match declaration.method? {
-                Method::Composited(compositing) => compositing.opacity,
-                Method::Nested(_) | Method::Preintegrated(_) => OpacityFormula::Expm1,
-            };
-            let of = |format: FormatName| {
-                format.with(OfRecipe {
-                    recipe,
-                    formula,
-                    segments,
-                    channel,
-                })
-            };
-            // A kernel that evaluates the medium itself does that in its own format too.
-            let by_itself = || {
-                let n = uniform.filter(|_| evaluates(declaration.form))?;
-                radiance_in(declaration.format, &declaration.method?, case, n).ok()
-            };
-            Some(Nominal {
-                exact: of(more),
-                in_format: by_itself().unwrap_or_else(|| of(declaration.format)),
-            })
+    let Some(stated) = stated(&method) else {
+        let of = |format| radiance_in(format, &method, given.case, given.uniform?).ok();
+        return Some(Nominal {
+            exact: of(more)?,
+            in_format: of(declaration.format)?,
+            terms: None,
+            is_of_samples: false,
+        });
+    };
+    let rule = Rule {
+        wall: declaration.far_wall.then_some(Wall::Opaque),
+        ..stated
+    };
+    // The opacities of a rule are right to the last bit; a method's are as its formula rounds them.
+    let formula = match method {
+        Method::Composited(compositing) => compositing.opacity,
+        Method::Nested(_) | Method::Preintegrated(_) => OpacityFormula::Expm1,
+    };
+    let of = |format: FormatName| {
+        format.with(OfRule {
+            rule: &rule,
+            formula,
+            given,
+        })
+    };
+    // A kernel that evaluates the medium itself does that in its own format too.
+    let by_itself = || {
+        let n = given.uniform.filter(|_| evaluates(declaration.form))?;
+        radiance_in(declaration.format, &method, given.case, n).ok()
+    };
+    Some(Nominal {
+        exact: of(more),
+        in_format: by_itself().unwrap_or_else(|| of(declaration.format)),
+        terms: alternates(&rule).then(|| terms(&rule, given.segments, given.step, given.channel)),
+        is_of_samples: true,
+    })
+}
+
+fn alternates(rule: &Rule) -> bool {
+    let Scheme::Sample { law, .. } = &rule.scheme else {
+        return false;
+    };
+    matches!(
+        law,
+        Law {
+            shape: Shape::Linear,
+            ..
         }
-        Model::Method(method) => {
-            let of = |format: FormatName| radiance_in(format, &method, case, uniform?).ok();
-            Some(Nominal {
-                exact: of(more)?,
-                in_format: of(declaration.format)?,
-            })
-        }
-    }
+    )
+}
+
+/// Σ |Tⱼ wⱼ Cⱼ|: what a radiance is made of, where terms cancel.
+pub(super) fn terms(rule: &Rule, segments: &Segments, step: f64, channel: usize) -> f64 {
+    let composed = rule.composed(segments, step, Native::<f64>::new());
+    composed.sizes(segments, channel)
 }
 
 /// Whether a kernel that is given such a form evaluates the medium itself.
@@ -80,18 +147,27 @@ fn evaluates(form: FormKind) -> bool {
     }
 }
 
-struct OfRecipe<'a> {
-    recipe: Recipe,
+struct OfRule<'a> {
+    rule: &'a Rule,
     formula: OpacityFormula,
-    segments: &'a Segments,
-    channel: usize,
+    given: &'a Given<'a>,
 }
 
-impl WithFormat for OfRecipe<'_> {
+impl WithFormat for OfRule<'_> {
     type Output = Float;
 
     fn run<F: Format>(self, format: F) -> Float {
-        let ray: Ray<F::Real> = Ray::new(self.segments, self.channel, format);
-        radiance_by(&self.recipe, &ray, format, self.formula).to_float()
+        let Given {
+            segments,
+            step,
+            channel,
+            ..
+        } = *self.given;
+        let radiance = marched(self.rule, self.formula, segments, channel, format);
+        let radiance = radiance.unwrap_or_else(|| {
+            let composed = self.rule.composed(segments, step, format);
+            self.rule.radiance(&composed, segments, channel, format)
+        });
+        radiance.to_float()
     }
 }

@@ -33,14 +33,14 @@ fn names<'a>(lines: impl Iterator<Item = &'a Line>) -> Vec<String> {
 fn seeds(verification: &Verification) -> Option<Finding> {
     let different = verification.different_seeds?;
     let all = verification.settings.replicas;
-    let defect = match different {
+    let words = match different {
         _ if !verification.seeds_repeat() => return None,
         0 | 1 => format!("the seed has no effect: the answers to all {all} seeds are the same"),
         _ => format!("{all} seeds have {different} different sets of answers"),
     };
     let errs = |line: &&Line| line.measured.verdict() != Verdict::Exact;
     Some(Finding {
-        defect,
+        words,
         channels: names(verification.lines.iter().filter(errs)),
         wrong: true,
     })
@@ -61,7 +61,7 @@ fn bias(lines: &[Line]) -> Option<Finding> {
         "and has no standard error".into()
     };
     Some(Finding {
-        defect: format!("the mean is off, {off}, and nothing shows that this falls with the step"),
+        words: format!("the mean is off, {off}, and nothing shows that this falls with the step"),
         wrong: channels
             .iter()
             .any(|line| line.standing == Standing::Contradicted),
@@ -80,7 +80,7 @@ fn reported(lines: &[Line]) -> Option<Finding> {
     ratios.sort_by(f64::total_cmp);
     let middle = *ratios.get(ratios.len() / 2)?;
     Some(Finding {
-        defect: if middle.is_finite() {
+        words: if middle.is_finite() {
             format!(
                 "the standard errors that it reports are {middle:.2} times the scatter of its answers"
             )
@@ -116,7 +116,7 @@ fn too_few(verification: &Verification) -> Option<Finding> {
     let most = wide.iter().map(|(_, needed)| *needed).reduce(f64::max)?;
     let rounded = (most / 10.0).ceil() * 10.0;
     Some(Finding {
-        defect: format!(
+        words: format!(
             "{replicas} seeds are too few to tell an order: with --replicas {rounded} its interval would be narrow enough"
         ),
         channels: names(wide.into_iter().map(|(line, _)| line)),

@@ -3,7 +3,7 @@
 use super::{Accepted, Identify};
 use crate::case::nodes::gcd;
 use crate::convergence::{Ladder, LadderError, MIN_REPLICAS};
-use crate::diagnosis::Recipe;
+use crate::identify::stated;
 use crate::kernel::{Cut, Declaration, MAX_TASK_SEGMENTS, Subject};
 use crate::symbolic::parse_number;
 use rug::Rational;
@@ -231,7 +231,7 @@ impl Settings {
         let takes_only_whole = declaration.step_divides
             || declaration
                 .method
-                .is_some_and(|method| Recipe::of_method(&method).is_none());
+                .is_some_and(|method| stated(&method).is_none());
         if self.steps == Steps::PartLast && takes_only_whole {
             suited.steps = Steps::Divide;
         }

@@ -2,7 +2,7 @@
 
 use super::VerifyError;
 use crate::case::{Case, SymbolicCase, Transfer, Unproved};
-use crate::diagnosis::{LinearSegments, WALL_LENGTH};
+use crate::identify::rule::LinearSegments;
 use crate::kernel::Volume;
 use crate::real::{Format, Mpfr, MpfrReal, Real};
 use crate::reference;
@@ -10,6 +10,9 @@ use rug::{Float, Rational};
 
 /// How far in front of the end of a ray, as a part of it, its last samples are still looked for.
 const LAST_SAMPLE: (u32, u32) = (1, 10_000);
+
+/// The length that renderers give the last segment to make a wall of it: what absorbs nothing stays clear.
+const WALL_LENGTH: i64 = 10_000_000_000;
 
 /// The radiance of one channel of a case, with what stands at the end of the ray.
 ///

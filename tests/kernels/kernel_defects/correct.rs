@@ -5,7 +5,7 @@ use super::{run, subjects};
 use volver::kernel::{BuiltIn, Closure, Kernel};
 use volver::real::FormatName;
 use volver::study::Silent;
-use volver::study::verify::{Conclusion, Settings, verify};
+use volver::study::verify::{Conclusion, Identified, Settings, verify};
 
 const LADDERS: [(&str, bool); 3] = [("8..512", false), ("10..810x3", false), ("8..512", true)];
 
@@ -40,7 +40,10 @@ fn correct_kernels_raise_no_alarm() {
         for kernel in &mut kernels() {
             let verification = run(kernel.as_mut(), &subjects, ladder, uneven);
             let name = &verification.declaration.method.map(|m| m.name());
-            let found = verification.fingerprint.as_ref().expect("a fingerprint");
+            let identified = verification.identification.as_ref();
+            let rule = identified
+                .and_then(Identified::named)
+                .map(ToString::to_string);
             let shown: Vec<String> = verification
                 .lines
                 .iter()
@@ -55,17 +58,12 @@ fn correct_kernels_raise_no_alarm() {
                 })
                 .collect();
             println!(
-                "{ladder} {uneven} {name:?} {:?} {:?}\n{:?}",
+                "{ladder} {uneven} {name:?} {:?} {rule:?} {:?}",
                 verification.counts(),
-                found.best.as_ref().map(|b| format!(
-                    "{} {} of {}, {} digits",
-                    b.model,
-                    b.agrees.len(),
-                    b.of,
-                    b.digits
-                )),
-                found.declared.as_ref().map(|b| (b.agrees.len(), b.of))
+                verification.as_declared()
             );
+            let deviations = identified.map(|found| (&found.examined.deviations, &found.differs));
+            assert!(!verification.deviates(), "{name:?} {rule:?} {deviations:?}");
             assert_eq!(
                 verification.conclusion(),
                 Conclusion::Confirmed,

@@ -2,8 +2,9 @@
 
 use super::{SMOOTH, composite, declared, front, run, settings, subjects};
 use rug::Rational;
+use serde_json::Value;
 use volver::kernel::{Closure, Segments, Subject};
-use volver::study::verify::{Baseline, BaselineError, Settings, Steps, Verification};
+use volver::study::verify::{Baseline, BaselineError, Moved, Settings, Steps, Verification};
 
 const METHOD: &str = "front-to-back/front/expm1";
 
@@ -47,7 +48,10 @@ fn it_is_read_as_it_was_written() {
     assert_eq!(read, baseline);
     assert_eq!(read.cases, asked());
     assert_eq!(read.lines.len(), verification.lines.len());
-    assert_eq!(read.fingerprint.unwrap(), "front samples, 1 - exp(-τd)");
+    let rule = read.rule.unwrap();
+    let words: Vec<&str> = rule.iter().map(|part| &part.words[..]).collect();
+    assert_eq!(words, ["samples lie at the front of segments"]);
+    assert_eq!(read.deviations, []);
     // And asks the same again.
     assert_eq!(baseline.settings().unwrap(), settings);
 }
@@ -75,8 +79,8 @@ fn an_older_one_is_asked_on_the_ladder_it_was_made_with() {
 fn what_is_none_is_refused() {
     let verification = verified(&subjects(&["cloud"]), &settings("8..128"), same);
     let text = Baseline::new(&verification, &[]).to_json().unwrap();
-    let other = text.replace("\"volver_baseline\": 1", "\"volver_baseline\": 2");
-    let found = 2;
+    let other = text.replace("\"volver_baseline\": 2", "\"volver_baseline\": 3");
+    let found = 3;
     assert_eq!(
         Baseline::read(&other),
         Err(BaselineError::Version { found })
@@ -123,7 +127,12 @@ fn what_breaks_has_moved_and_what_is_mended_is_better() {
     assert_eq!(moved.len(), good.lines.len() + 1);
     assert!(moved.iter().all(|one| !one.better));
     assert_eq!(moved[0].name, "kernel");
-    assert_eq!(moved[0].before, "computes front samples, 1 - exp(-τd)");
+    // Half of the light is half of the weight.
+    assert_eq!(moved[0].before, "plain");
+    assert_eq!(
+        moved[0].now,
+        "the weight of the emission is multiplied by 0.5"
+    );
     let sine = moved.iter().find(|one| one.name == "sine-squared").unwrap();
     assert!(
         sine.before.starts_with("confirmed (Confirmed, order 1.0"),
@@ -132,7 +141,9 @@ fn what_breaks_has_moved_and_what_is_mended_is_better() {
     assert!(sine.now.starts_with("contradicted ("), "{sine}");
     let back = Baseline::new(&bad, &asked()).moved(&good);
     // Where order 1 shows: what was blind or hidden and is so again is no better.
-    let better = back.iter().filter(|one| one.better);
+    let (kernel, channels) = back.split_first().unwrap();
+    assert!(kernel.name == "kernel" && kernel.better, "{kernel}");
+    let better = channels.iter().filter(|one| one.better);
     assert_eq!(better.count(), good.counts().confirmed);
     assert!(good.counts().confirmed > 5);
 }
@@ -164,4 +175,54 @@ fn cases_that_come_and_go_are_said() {
         ("decaying-field", "not there")
     );
     assert!(came.better);
+}
+
+/// Half of the emission, which a baseline has recorded; a third is another deviation.
+#[test]
+fn deviations_that_were_recorded_pass_as_long_as_they_stay() {
+    let (subjects, settings) = (subjects(&["cloud", "sine-squared"]), settings("8..256"));
+    let bad = verified(&subjects, &settings, worse);
+    let baseline = Baseline::new(&bad, &[]);
+    let recorded = &baseline.deviations;
+    assert_eq!(
+        (&recorded[0].name[..], recorded[0].value),
+        ("scale", Some(0.5))
+    );
+    assert!(bad.deviates());
+    let known = baseline.settings().unwrap();
+    assert_eq!(known.accept[0].to_string(), "scale=0.5");
+    let again = verified(&subjects, &known, worse);
+    assert!(!again.deviates());
+    assert_eq!(baseline.moved(&again), []);
+    let third = verified(&subjects, &known, |_, radiance| radiance / 3.0);
+    assert!(third.deviates());
+    let kernel = |moved: Vec<Moved>| moved.into_iter().find(|one| one.name == "kernel");
+    let moved = kernel(baseline.moved(&third)).unwrap();
+    assert!(
+        moved.now.ends_with("is multiplied by 0.3333333333333333") && !moved.better,
+        "{moved}"
+    );
+    // What is mended is better.
+    let mended = kernel(baseline.moved(&verified(&subjects, &known, same))).unwrap();
+    assert!(mended.better, "{mended}");
+}
+
+/// The first version has no rule: what deviates now is told, and has not moved.
+#[test]
+fn a_baseline_of_the_first_version_is_read_and_knows_no_deviations() {
+    let (subjects, settings) = (subjects(&["cloud"]), settings("8..128"));
+    let bad = verified(&subjects, &settings, worse);
+    let mut first: Value =
+        serde_json::from_str(&Baseline::new(&bad, &[]).to_json().unwrap()).unwrap();
+    let keys = first.as_object_mut().unwrap();
+    for key in ["rule", "deviations", "identify"] {
+        assert!(keys.remove(key).is_some(), "{key}");
+    }
+    keys.insert("volver_baseline".into(), 1.into());
+    keys.insert("fingerprint".into(), "front samples, 1 - exp(-τd)".into());
+    let first = Baseline::read(&first.to_string()).unwrap();
+    assert_eq!(first.settings().unwrap(), settings);
+    assert_eq!(first.moved(&bad), []);
+    let told = first.unrecorded(&bad);
+    assert!(told[0].starts_with("scale: "), "{told:?}");
 }

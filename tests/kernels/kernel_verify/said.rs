@@ -96,9 +96,6 @@ fn orders_are_fitted_to_what_was_used() {
         }
         assert!(part(&verification, Standing::Confirmed) > 0.8, "{shown}");
         assert_eq!(verification.conclusion(), Conclusion::Confirmed, "{shown}");
-        // And its values are those of a method on these segments.
-        let found = verification.fingerprint.as_ref().unwrap();
-        assert!(found.is_named(), "{shown}");
     }
 }
 
@@ -161,10 +158,10 @@ fn answers_that_differ_are_contradicted_and_said() {
     assert!(verification.lines.iter().all(|line| !line.steady));
     let finding = &verification.findings[0];
     let words = "answers differ from run to run, and the kernel is said to be deterministic";
-    assert_eq!(finding.defect, words);
+    assert_eq!(finding.words, words);
     assert_eq!(finding.channels.len(), verification.lines.len());
     // Values that change are nobody's.
-    assert_eq!(verification.fingerprint, None);
+    assert_eq!(verification.as_declared(), None);
 }
 
 #[test]

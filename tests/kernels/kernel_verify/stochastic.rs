@@ -1,6 +1,6 @@
 //! Kernels that draw random numbers: their scatter has the order, not one answer.
 
-use super::{SMOOTH, composite, part, run, settings, shown, subjects};
+use super::{SMOOTH, composite, deviations, part, run, settings, shown, subjects};
 use rug::Float;
 use volver::kernel::{
     Closure, Declaration, FormKind, Kernel, KernelError, Rendering, Sampling, Task,
@@ -69,10 +69,12 @@ fn one_sample_somewhere_in_every_segment_has_order_three_halves() {
     let shown = shown(&verification);
     assert!(part(&verification, Standing::Confirmed) > 0.8, "{shown}");
     assert_eq!(verification.conclusion(), Conclusion::Confirmed, "{shown}");
-    assert_eq!(verification.fingerprint, None);
-    let words = "jittered samples, 1 - exp(-τd): mean and scatter agree in ";
-    let (_, wrong) = found(&verification, words).expect("said");
-    assert!(!wrong, "{shown}");
+    assert_eq!(verification.as_declared(), None);
+    let identified = verification.identification.as_ref().unwrap();
+    let scattered = identified.examined.found.scattered.as_ref().unwrap();
+    let words = "one sample at a random place of each segment, α = 1 − exp(−τ d)";
+    assert_eq!(scattered.to_string(), words);
+    assert_eq!(deviations(&verification), [""; 0], "{shown}");
     let mut findings = verification.findings.iter();
     assert!(!findings.any(|finding| finding.wrong), "{shown}");
 }
@@ -136,17 +138,18 @@ fn a_kernel_that_does_not_say_that_it_draws_is_contradicted() {
     let verification = verified(&mut Closure::new(declaration, jittered));
     let shown = shown(&verification);
     assert_eq!(part(&verification, Standing::Contradicted), 1.0, "{shown}");
-    let defects = verification.findings.iter().map(|one| &one.defect[..]);
-    let defects: Vec<&str> = defects.collect();
-    assert!(defects[0].starts_with("answers differ"), "{shown}");
-    assert!(defects[1].starts_with("jittered samples"), "{shown}");
+    assert!(
+        verification.findings[0].words.starts_with("answers differ"),
+        "{shown}"
+    );
+    assert_eq!(deviations(&verification), ["seed"], "{shown}");
 }
 
 /// Words of what was found, and whether they speak against the kernel.
 fn found<'a>(verification: &'a Verification, words: &str) -> Option<(&'a str, bool)> {
     let mut findings = verification.findings.iter();
-    let finding = findings.find(|one| one.defect.contains(words))?;
-    Some((&finding.defect, finding.wrong))
+    let finding = findings.find(|one| one.words.contains(words))?;
+    Some((&finding.words, finding.wrong))
 }
 
 /// A thousandth too bright: a few standard errors at first, then seventeen and more.

@@ -79,7 +79,7 @@ fn what_has_moved_is_named() {
     let lines: Vec<&str> = run.out.lines().collect();
     assert_eq!(
         lines[0],
-        "moved: kernel: computes middle samples, 1 - exp(-τd) → computes front samples, 1 - exp(-τd)"
+        "moved: kernel: samples lie in the middle of segments → samples lie at the front of segments"
     );
     let order = |line: &str| line.split("order ").nth(1).unwrap()[..3].to_string();
     assert!(
@@ -210,8 +210,8 @@ fn damaged_files_are_refused_in_one_line() {
         refused(saved.check_text(text), "no baseline: ");
     }
     refused(
-        saved.check_text(r#"{"volver_baseline":2,"new":"key"}"#),
-        "a baseline of version 2 (allowed: 1)",
+        saved.check_text(r#"{"volver_baseline":3,"new":"key"}"#),
+        "a baseline of version 3 (allowed: 1, 2)",
     );
     refused(
         saved.check_with("volver_baseline", json!("1")),
@@ -220,6 +220,10 @@ fn damaged_files_are_refused_in_one_line() {
     refused(
         saved.check_with("a\nb", json!(1)),
         "no baseline: unknown field `a\\nb`, expected one of ",
+    );
+    refused(
+        saved.check_with("identify", json!("x\ny")),
+        "'identify': 'x\\ny' (allowed: auto, full, off)",
     );
     refused(
         saved.check_with("fingerprint", json!("x\ny")),

@@ -1,23 +1,25 @@
 //! Kernels that are what they say, and kernels that are not.
 
 use super::run::{Run, fixture, in_repository, junit, verify, volver};
-use serde_json::Value;
+use serde_json::{Value, json};
 use std::fs;
 use std::process::Command;
 
-const MIDDLE: &str = "the values are those of: middle samples, 1 - exp(-τd): agrees to ";
+const MIDDLE: &str =
+    "αⱼ = 1 − exp(−τⱼ dⱼ) samples in the middle of segments It holds on rays that are";
 
-/// Good, with that fingerprint.
-fn assert_confirmed(run: Run, fingerprint: &str) {
+/// Good, with that rule.
+fn assert_confirmed(run: Run, rule: &str) {
     let run = run.with_code(0);
-    run.shows(fingerprint);
-    run.shows(" digits in 3 of 3 channels");
+    run.shows(rule);
+    run.shows("On the ladder it agrees in 3 of 3 channels.");
     let last = run.out.lines().last().unwrap();
     assert_eq!(
         last,
         "confirmed: 3 confirmed, 0 contradicted, 0 inconclusive, 0 blind of 3 channels"
     );
-    run.hides("defect:");
+    run.hides("wrong:");
+    run.hides("How it deviates");
     run.hides("that is not what it declares");
     for case in ["sine-squared", "thick", "cloud"] {
         assert!(run.row(case).starts_with("✓ "), "{}", run.out);
@@ -32,7 +34,7 @@ fn methods_of_volver_are_what_they_say() {
     }
     assert_confirmed(
         verify(&[], &["method:trapezoid/trapezoid"]),
-        "the values are those of: trapezoid rules for depth and radiance",
+        "Lⱼ = dⱼ (1/2 τ_f C_f + 1/2 τ_b C_b exp(−xⱼ))",
     );
 }
 
@@ -58,7 +60,7 @@ fn nerf_is_what_it_says_from_python() {
     let middle = ["python3", &script, "--sampling", "middle"];
     assert_confirmed(verify(&[], &middle), MIDDLE);
     let front = verify(&[], &["python3", &script]).with_code(0);
-    front.shows("the values are those of: front samples, 1 - exp(-τd): agrees to ");
+    front.shows("αⱼ = 1 − exp(−τⱼ dⱼ) samples at the front of segments It holds on rays");
     assert!(front.row("cloud").starts_with("· "), "{}", front.out);
     front.shows("blind: the case hides the leading error of what was declared");
 }
@@ -125,23 +127,34 @@ fn assert_named(kernel: &[&str], words: &[&str]) {
 
 #[test]
 fn samples_at_the_front_declared_as_middles_are_named_everywhere() {
-    assert_named(&["--sampling", "front"], &["front samples, 1 - exp(-τd)"]);
+    let words =
+        "samples lie at the front of segments, in place of: samples lie in the middle of segments";
+    assert_named(
+        &["--sampling", "front"],
+        &["samples lie at the front of segments"],
+    );
     let run = fixture(&["--json", "-"], &["--sampling", "front"]).with_code(1);
-    let found = &run.json()["fingerprint"];
-    assert_eq!(found["contradicts_declaration"], true);
-    assert_eq!((&found["agrees"], &found["of"]), (&3.into(), &3.into()));
+    let document = run.json();
+    assert_eq!(document["as_declared"], json!({"agree": 0, "of": 3}));
+    let found = &document["identification"];
+    assert_eq!(
+        found["channels"],
+        json!({"compared": 3, "agree": 3, "differ": []})
+    );
+    assert_eq!(found["deviations"][0]["name"], "place");
+    fixture(&[], &["--sampling", "front"]).shows(words);
+    // What is accepted by name has still another order.
+    let run = fixture(&["--accept", "place"], &["--sampling", "front"]).with_code(1);
+    run.shows("this is accepted");
 }
 
 #[test]
 fn a_last_sample_that_is_dropped_is_named_everywhere() {
-    assert_named(
-        &["--drop-last"],
-        &["middle samples, 1 - exp(-τd), last sample missing"],
-    );
+    assert_named(&["--drop-last"], &["last-sample"]);
 }
 
 #[test]
 fn answers_that_differ_from_run_to_run_are_named_everywhere() {
-    let defect = "answers differ from run to run, and the kernel is said to be deterministic";
-    assert_named(&["--unsteady"], &[defect]);
+    let words = "answers differ from run to run, and the kernel is said to be deterministic";
+    assert_named(&["--unsteady"], &[words]);
 }

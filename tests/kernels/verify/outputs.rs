@@ -20,7 +20,11 @@ fn json_alone_is_on_standard_output() {
         serde_json::json!([8, 16, 32, 64, 128, 256])
     );
     assert_eq!(document["counts"]["confirmed"], 3);
-    assert_eq!(document["fingerprint"]["named"], true);
+    assert_eq!(document["identification"]["named"], true);
+    assert_eq!(
+        document["identification"]["deviations"],
+        serde_json::json!([])
+    );
     let lines = document["lines"].as_array().unwrap();
     assert_eq!(lines.len(), 3);
     for line in lines {
@@ -37,7 +41,7 @@ fn junit_and_a_baseline_alone_are_on_standard_output_too() {
     assert_eq!(found["found"], serde_json::json!([4, 0, 0, 0]));
     assert_eq!(found["name"], format!("{METHOD}@f64"));
     let run = verify(&["--save", "-"], &[METHOD]).with_code(0);
-    assert_eq!(run.json()["volver_baseline"], 1);
+    assert_eq!(run.json()["volver_baseline"], 2);
 }
 
 #[test]
@@ -109,10 +113,20 @@ fn a_directory_holds_documents_and_a_plot_a_channel() {
     assert_eq!(run.with_code(0).out, "");
     let plots = ["blue", "green", "red"].map(|channel| format!("rgb-transfer-{channel}.svg"));
     let documents = ["index.html", "verify.json", "verify.md", "verify.xml"].map(String::from);
-    let wanted: BTreeSet<String> = plots.iter().chain(&documents).cloned().collect();
+    // Of the rule, in the order in which they stand there.
+    let pictures = ["opacity-1.svg", "opacity-2.svg", "weights.svg"].map(String::from);
+    let wanted: BTreeSet<String> = plots
+        .iter()
+        .chain(&documents)
+        .chain(&pictures)
+        .cloned()
+        .collect();
     assert_eq!(names(&out), wanted);
     let markdown = fs::read_to_string(out.join("verify.md")).unwrap();
-    assert_eq!(links(&markdown), plots.clone().into());
+    assert_eq!(
+        links(&markdown),
+        plots.iter().chain(&pictures).cloned().collect()
+    );
     assert!(markdown.contains("\n| vacuum | exact | "), "{markdown}");
     for plot in plots {
         let plot = fs::read_to_string(out.join(plot)).unwrap();

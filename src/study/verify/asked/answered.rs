@@ -1,16 +1,15 @@
 //! What comes of a kernel's answers.
 
 use super::resolved::Middles;
-use super::used::lookups;
+use super::sampled;
 use super::{Answers, Asked, Level};
 use crate::case::{Case, SymbolicCase};
 use crate::convergence::{FitError, Replicas, Sample, fit, fit_replicas, reported_error};
-use crate::diagnosis::{Ray, Watched, WatchedLevel};
+use crate::identify::rule::Place;
 use crate::kernel::{Cut, FormKind, KernelError, Rendering};
 use crate::method::Expected;
-use crate::real::Native;
 use crate::study::verify::line::{Failure, LevelRadiances, Line, Measured, Radiances};
-use crate::study::verify::nominal::{self, Nominal};
+use crate::study::verify::nominal::{self, Given, Nominal};
 use crate::study::verify::peers::{Peer, Peers};
 use crate::study::verify::remark::{Seen, remarks};
 use crate::study::verify::standing::{self, Judged};
@@ -22,10 +21,11 @@ const REFERENCE_BITS: u32 = 75;
 
 /// One level of a channel.
 struct Looked {
-    cut: Cut,
-    uniform: Option<u64>,
-    ray: Ray<f64>,
     radiances: LevelRadiances,
+    /// Of samples in the middles of segments.
+    middles: f64,
+    /// Whether the answer is the declared method's; `None` where that has none.
+    as_declared: Option<bool>,
 }
 
 impl Asked<'_> {
@@ -34,7 +34,7 @@ impl Asked<'_> {
         &self,
         channel: usize,
         answers: &Answers,
-    ) -> Result<(Line, Watched), VerifyError> {
+    ) -> Result<Line, VerifyError> {
         let case = &self.subject.cases()[channel];
         let bits = self.declaration.format.bits().max(f64::MANTISSA_DIGITS);
         let (exact, unproved) =
@@ -51,17 +51,7 @@ impl Asked<'_> {
         let mut middles = Middles::default();
         let mut failures = Vec::new();
         let mut in_range = true;
-        let mut watched = Watched {
-            name: case.name().into(),
-            case: case.clone(),
-            scale: radiances.exact.to_f64().abs(),
-            levels: Vec::new(),
-            again: Self::again(channel, answers),
-            lookups: lookups().map(|lookup| (lookup, Vec::new())).collect(),
-        };
-        if self.declaration.form != FormKind::Volume {
-            watched.lookups.clear();
-        }
+        let mut as_declared = Vec::new();
         for (level, answers) in self.levels.iter().zip(&answers.levels) {
             let whole: Result<Vec<&Rendering>, &KernelError> =
                 answers.iter().map(Result::as_ref).collect();
@@ -77,26 +67,15 @@ impl Asked<'_> {
                 continue;
             }
             let Looked {
-                cut,
-                uniform,
-                ray,
                 radiances: seen,
+                middles: of_middles,
+                as_declared: agrees,
             } = self.looked(level, &renderings, channel, &radiances.exact, of_tables)?;
-            if let Some(value) = seen.values.first() {
-                watched.levels.push(WatchedLevel {
-                    ray: ray.clone(),
-                    uniform: uniform.filter(|_| level.volume.is_none()),
-                    value: value.to_f64(),
-                });
-            }
-            for (lookup, rays) in &mut watched.lookups {
-                let segments = self.looked_up(level, cut, *lookup)?;
-                rays.push(Ray::new(&segments, channel, Native::<f64>::new()));
-            }
+            as_declared.push(agrees);
             let finite = |nominal: &Nominal| nominal.in_format.is_finite();
             in_range = in_range && seen.nominal.as_ref().is_none_or(finite);
             if self.declaration.stochastic {
-                middles.push(seen.n, seen.step, &ray, &radiances.exact, &seen.floor);
+                middles.push(seen.n, seen.step, of_middles, &radiances.exact, &seen.floor);
             }
             radiances.push(seen);
         }
@@ -112,16 +91,25 @@ impl Asked<'_> {
             }
         }
         let steady = Self::is_steady(channel, answers);
-        let line = Line {
+        let is_compared = steady && failures.is_empty() && self.is_compared(&radiances);
+        let all: Option<Vec<bool>> = as_declared.into_iter().collect();
+        let all = all.filter(|all| is_compared && !all.is_empty());
+        Ok(Line {
             unproved,
+            as_declared: all.map(|all| all.into_iter().all(|agrees| agrees)),
             ..self.judged(
                 channel,
                 (radiances, &spots),
                 failures,
                 (steady, in_range, middles.are_resolved()),
             )?
-        };
-        Ok((line, watched))
+        })
+    }
+
+    /// Whether answers say something of the method that is declared.
+    fn is_compared(&self, radiances: &Radiances) -> bool {
+        let says = !radiances.exact.is_zero() && radiances.are_finite();
+        says && !self.declaration.stochastic && self.settings.axis == Axis::Step
     }
 
     /// What was answered to one level, and how the ray is cut there.
@@ -141,32 +129,54 @@ impl Asked<'_> {
             Cut::Segments(n) => Some(n),
             Cut::Step(_) => None,
         };
-        let nominal = nominal::at_level(self.declaration, case, &segments, channel, uniform);
-        let values = renderings.iter().map(|r| r.radiance[channel].clone());
-        let ray = Ray::new(&segments, channel, Native::<f64>::new());
         // Refused already, where the ray cannot be cut so.
         let used = cut.on(self.subject.length());
-        let (step, segments) = used.map_err(|error| self.cut_error(error))?;
-        let (n, step) = self.coordinate(level, segments, step.to_f64());
-        let mut floor = self.floor(exact, level, nominal.as_ref(), &ray);
-        floor += self.not_refined(level, channel, &ray) + of_tables;
+        let (used, count) = used.map_err(|error| self.cut_error(error))?;
+        let given = Given {
+            case,
+            segments: &segments,
+            step: used.to_f64(),
+            channel,
+            uniform,
+        };
+        let nominal = nominal::at_level(self.declaration, &given);
+        let values: Vec<Float> = renderings
+            .iter()
+            .map(|rendering| rendering.radiance[channel].clone())
+            .collect();
+        let (n, step) = self.coordinate(level, count, given.step);
+        let mut floor = self.floor(exact, level, nominal.as_ref(), &given);
+        floor += self.not_refined(level, &given) + of_tables;
+        // Of a volume a method that is no rule has not the samples.
+        let has_samples =
+            level.volume.is_none() || nominal.as_ref().is_some_and(Nominal::is_of_samples);
+        let model = nominal.as_ref().filter(|_| has_samples).zip(values.first());
+        let scale = exact.to_f64().abs();
+        let as_declared = model.map(|(nominal, value)| {
+            nominal.agrees(value.to_f64(), scale, &given, self.declaration)
+        });
+        let middles = if self.declaration.stochastic {
+            let rule = sampled::at(Place::Middle);
+            sampled::radiance(&rule, &segments, given.step, channel)
+        } else {
+            f64::NAN
+        };
         let reported = renderings.iter().filter_map(|rendering| {
             let errors = rendering.standard_error.as_ref()?;
             errors.get(channel).copied()
         });
         Ok(Looked {
             radiances: LevelRadiances {
-                segments,
+                segments: count,
                 n,
                 step,
-                values: values.collect(),
+                values,
                 floor,
                 nominal,
                 reported: reported.collect(),
             },
-            cut,
-            uniform,
-            ray,
+            middles,
+            as_declared,
         })
     }
 
@@ -180,14 +190,6 @@ impl Asked<'_> {
             }
             _ => true,
         }
-    }
-
-    /// The second radiance of the coarsest level.
-    fn again(channel: usize, answers: &Answers) -> Option<f64> {
-        let of_replicas = answers.levels.first().and_then(|level| level.get(1));
-        let second = of_replicas.or(answers.again.as_ref())?;
-        let rendering = second.as_ref().ok()?;
-        Some(rendering.radiance.get(channel)?.to_f64())
     }
 
     /// The methods that a channel is measured by: the declared one, or those of the declared order on rays that these can
@@ -304,6 +306,7 @@ impl Asked<'_> {
             expected,
             exact: radiances.exact,
             unproved: Vec::new(),
+            as_declared: None,
             measured,
             failures,
             is_required: peers.all_show(expected),

@@ -1,10 +1,13 @@
 //! What of an error is not the kernel's: its rounding, and what is left by what is not refined.
 
+use super::sampled::{at, cancelling, radiance};
 use super::{Asked, Level};
-use crate::diagnosis::{Places, Ray, Recipe, radiance};
+use crate::identify::rule::{Place, Rule};
+use crate::identify::stated;
 use crate::kernel::{Cut, Sampling};
-use crate::real::Native;
-use crate::study::verify::nominal::Nominal;
+use crate::method::{Exponential, Inner, Method, Nested, Outer, Scope};
+use crate::quadrature;
+use crate::study::verify::nominal::{Given, Nominal};
 use crate::study::verify::{Axis, GRID_SEGMENTS, VerifyError, truth};
 use rug::Float;
 
@@ -19,16 +22,19 @@ impl Asked<'_> {
         exact: &Float,
         level: &Level,
         declared: Option<&Nominal>,
-        ray: &Ray<f64>,
+        given: &Given<'_>,
     ) -> Float {
         let bits = exact.prec();
         let mut scale = Float::with_val(bits, exact.abs_ref());
-        if let Some(terms) = ray.cancelling() {
+        if let Some(terms) = cancelling(given.segments, given.step, given.channel) {
             scale = scale.max(&Float::with_val(bits, terms));
         }
         // By its exponent: binary64 has no unit of so many bits as MPFR may have.
         let mut floor = scale.clone() >> self.declaration.format.bits();
-        if let Some(Nominal { exact, in_format }) = declared {
+        if let Some(Nominal {
+            exact, in_format, ..
+        }) = declared
+        {
             let rounding = Float::with_val(bits, in_format - exact).abs();
             // Not where the format has no number for it.
             if rounding.is_finite() && rounding > floor {
@@ -48,26 +54,24 @@ impl Asked<'_> {
 
     /// What the step leaves of an error while the grid is refined: not what this kernel shows, which may be wrong,
     /// but what one does that samples as it says.
-    pub(super) fn not_refined(&self, level: &Level, channel: usize, ray: &Ray<f64>) -> f64 {
+    pub(super) fn not_refined(&self, level: &Level, given: &Given<'_>) -> f64 {
         let (Axis::Grid, Some(volume)) = (self.settings.axis, &level.volume) else {
             return 0.0;
         };
-        let of_method = |method| Recipe::of_method(&method);
-        let recipe = self.declaration.method.and_then(of_method);
-        let recipe = recipe.unwrap_or_else(|| Recipe {
-            places: match (self.declaration.sampling, self.declaration.order) {
-                (Some(Sampling::Middle), _) => Places::Middle,
-                (Some(Sampling::Ends), _) => Places::Ends,
-                (Some(Sampling::Back), _) => Places::Back,
-                (None, Some(order)) if order > 1.0 => Places::Middle,
+        let rule = self.declaration.method.as_ref().and_then(stated);
+        let rule = rule.unwrap_or_else(|| {
+            match (self.declaration.sampling, self.declaration.order) {
+                (Some(Sampling::Middle), _) => at(Place::Middle),
+                (Some(Sampling::Ends), _) => trapezoids(),
+                (Some(Sampling::Back), _) => at(Place::Back),
+                (None, Some(order)) if order > 1.0 => at(Place::Middle),
                 // Of nobody knows which, the one that leaves most.
-                (Some(Sampling::Front | Sampling::Jittered) | None, _) => Places::Front,
-            },
-            ..Recipe::default()
+                (Some(Sampling::Front | Sampling::Jittered) | None, _) => at(Place::Front),
+            }
         });
-        let sampled = radiance(&recipe, ray, Native::<f64>::new());
+        let sampled = radiance(&rule, given.segments, given.step, given.channel);
         let bits = f64::MANTISSA_DIGITS;
-        let whole = truth::of_volume(volume, self.subject.length(), channel, bits);
+        let whole = truth::of_volume(volume, self.subject.length(), given.channel, bits);
         (sampled - whole.to_f64()).abs()
     }
 
@@ -87,13 +91,20 @@ impl Asked<'_> {
             tabled.middles.extinction[index] = volume.table.at(s, &mut emission);
             tabled.middles.emission[channel][index] = emission[channel];
         }
-        let middles = Recipe {
-            places: Places::Middle,
-            ..Recipe::default()
-        };
-        let format = Native::<f64>::new();
-        let of =
-            |segments| -> f64 { radiance(&middles, &Ray::new(segments, channel, format), format) };
+        let step = self.subject.length().to_f64() / GRID_SEGMENTS as f64;
+        let of = |segments| radiance(&at(Place::Middle), segments, step, channel);
         Ok((of(&tabled) - of(&exact)).abs())
     }
+}
+
+/// Trapezoid rules for depth and radiance.
+fn trapezoids() -> Rule {
+    let method = Method::Nested(Nested {
+        inner: Inner::PerSegment(quadrature::Rule::Trapezoid),
+        outer: Outer(quadrature::Rule::Trapezoid),
+        exponential: Exponential::Exact,
+        scope: Scope::PerSegment,
+    });
+    // It looks at both ends of every segment: there is one.
+    stated(&method).unwrap_or_default()
 }

@@ -1,9 +1,7 @@
 //! Whether a ladder resolves a case: of a claimed order alone, what no ladder shows contradicts nobody.
 
 use crate::convergence::{Sample, Verdict, fit};
-use crate::diagnosis::{Places, Ray, Recipe, radiance};
 use crate::method::Expected;
-use crate::real::Native;
 use rug::Float;
 
 /// The order of samples in the middles of segments.
@@ -18,18 +16,13 @@ impl Middles {
         &mut self,
         n: Option<u64>,
         step: f64,
-        ray: &Ray<f64>,
+        radiance: f64,
         exact: &Float,
         floor: &Float,
     ) {
         if self.0.last().is_some_and(|last| last.step <= step) {
             return;
         }
-        let middles = Recipe {
-            places: Places::Middle,
-            ..Recipe::default()
-        };
-        let radiance = radiance(&middles, ray, Native::<f64>::new());
         self.0.push(Sample {
             n,
             step,

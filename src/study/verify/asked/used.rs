@@ -1,21 +1,9 @@
 //! How a ray was really cut, and what a kernel saw there.
 
 use super::{Asked, Level};
-use crate::diagnosis::Lookup;
-use crate::kernel::{Cut, CutError, Rendering, Segments, Table, Volume};
+use crate::kernel::{Cut, CutError, Rendering, Segments, Table};
 use crate::study::verify::{Axis, VerifyError};
 use rug::Rational;
-
-/// Sizes that tables are known to be cut down to.
-const COARSER_TABLES: [usize; 6] = [16, 32, 64, 128, 256, 512];
-
-/// Other ways to look up tables: coarser ones, and the nearest entry.
-pub(super) fn lookups() -> impl Iterator<Item = Lookup> {
-    let coarser = COARSER_TABLES.into_iter().map(Some);
-    let entries = std::iter::once(None).chain(coarser);
-    let all = entries.flat_map(|entries| [false, true].map(|nearest| Lookup { entries, nearest }));
-    all.filter(|lookup| lookup.nearest || lookup.entries.is_some())
-}
 
 impl Asked<'_> {
     /// How the ray was cut, by what the kernel says or else as asked.
@@ -47,33 +35,6 @@ impl Asked<'_> {
             Some(volume) => volume.segments(length, cut, Table::at),
             None => self.subject.segments(cut),
         };
-        segments.map_err(|error| self.cut_error(error))
-    }
-
-    /// The samples of one level as another use of the tables gives them.
-    pub(super) fn looked_up(
-        &self,
-        level: &Level,
-        cut: Cut,
-        lookup: Lookup,
-    ) -> Result<Segments, VerifyError> {
-        let Some(volume) = &level.volume else {
-            return self.segments(level, cut);
-        };
-        let table = match lookup.entries {
-            Some(entries) => volume.table.resampled(entries),
-            None => volume.table.clone(),
-        };
-        let volume = Volume {
-            field: volume.field.clone(),
-            table,
-        };
-        let by = if lookup.nearest {
-            Table::nearest
-        } else {
-            Table::at
-        };
-        let segments = volume.segments(self.subject.length(), cut, by);
         segments.map_err(|error| self.cut_error(error))
     }
 

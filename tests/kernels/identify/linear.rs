@@ -2,7 +2,7 @@
 
 use rug::Float;
 use volver::case::Transfer;
-use volver::diagnosis::LinearSegments;
+use volver::identify::rule::LinearSegments;
 use volver::real::{Format, Mpfr, MpfrReal, Native, Real};
 
 /// τ = a + b x and C = 1 on [0, h]: 1 − e^(−a h − b h²/2).
