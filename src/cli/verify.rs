@@ -19,11 +19,12 @@ use volver::study::verify::{
 
 const EXAMPLES: &str = "\
 The exit code is 0 where the order shows wherever methods of that order show theirs,
-nothing contradicts and the values are those of the method that the kernel declares;
-1 where not; 2 where it could not run.
+nothing contradicts, the values are those of the method that the kernel declares, and
+the rule that it computes has no deviation but those of --accept; 1 where not; 2 where
+it could not run.
 
-Work: cases × levels × seeds, at most 64 levels of 524288 segments; a program has
---timeout for each answer. A bar on the terminal says how much is left.
+Work: cases × levels × seeds, at most 64 levels of 524288 segments, and as many rays again
+for the rule; a program has --timeout for each answer. A bar on the terminal says how much is left.
 
 CASES are names that 'volver cases' lists, NAME/CHANNEL, tags, or paths of case files.
 LADDER is as for 'volver reproduce'. ORDER is 2, 1.5 or 3/2.

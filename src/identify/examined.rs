@@ -4,7 +4,7 @@ use super::deviation::{Deviation, deviations, misbehaviour};
 use super::promised::{misplaced, promised};
 use super::session::{Budget, Spent};
 use super::witness::{Witness, witness};
-use super::{Identification, identify};
+use super::{Identification, NotIdentified, identify};
 use crate::kernel::{Declaration, Kernel};
 
 /// What was found out about a kernel, and what that means.
@@ -49,6 +49,14 @@ impl Verdict {
 }
 
 impl Examined {
+    /// Takes the rule back, which does not hold elsewhere: what it deviates in is nobody's.
+    pub(crate) fn withdraw(&mut self, reason: &str) {
+        self.found.rule = None;
+        self.found.not_identified.push(NotIdentified::new(reason));
+        self.deviations = behaviour(&self.found, &self.declaration);
+        self.witness = None;
+    }
+
     /// What it comes to.
     #[must_use]
     pub fn verdict(&self) -> Verdict {
@@ -75,8 +83,7 @@ pub fn examine(kernel: &mut dyn Kernel, budget: Budget, heard: &mut dyn FnMut(&S
         all.extend(misplaced(&found, rule, &declaration));
         all.extend(deviations(rule, right, &found.brackets));
     }
-    let excused = |deviation: &Deviation| declaration.stochastic && deviation.name == "seed";
-    all.extend(misbehaviour(&found).into_iter().filter(|d| !excused(d)));
+    all.extend(behaviour(&found, &declaration));
     let mut examined = Examined {
         declaration,
         found,
@@ -108,4 +115,12 @@ pub fn examine(kernel: &mut dyn Kernel, budget: Budget, heard: &mut dyn FnMut(&S
         (examined.witness, examined.searched) = (shown, searched);
     }
     examined
+}
+
+/// What answers depend on beside rays, but for what is declared.
+fn behaviour(found: &Identification, declaration: &Declaration) -> Vec<Deviation> {
+    let excused = |deviation: &Deviation| declaration.stochastic && deviation.name == "seed";
+    let mut all = misbehaviour(found);
+    all.retain(|deviation| !excused(deviation));
+    all
 }

@@ -113,8 +113,8 @@ fn a_directory_holds_documents_and_a_plot_a_channel() {
     assert_eq!(run.with_code(0).out, "");
     let plots = ["blue", "green", "red"].map(|channel| format!("rgb-transfer-{channel}.svg"));
     let documents = ["index.html", "verify.json", "verify.md", "verify.xml"].map(String::from);
-    // Of the rule, in the order in which they stand there.
-    let pictures = ["opacity-1.svg", "opacity-2.svg", "weights.svg"].map(String::from);
+    // Of the rule.
+    let pictures = ["opacity.svg", "weights.svg"].map(String::from);
     let wanted: BTreeSet<String> = plots
         .iter()
         .chain(&documents)

@@ -7,7 +7,7 @@ fn nothing_promised_is_nothing_confirmed_until_it_is_expected() {
     let bare = ["--declare", "{}"];
     let run = fixture(&[], &bare).with_code(1);
     run.shows("(nothing was promised: --expect ORDER, or let the kernel declare a method)");
-    run.shows("the values are those of: middle samples, 1 - exp(-τd)");
+    run.shows("αⱼ = 1 − exp(−τⱼ dⱼ) samples in the middle of segments");
     for right in ["2", "4/2", "2.0"] {
         let run = fixture(&["--expect", right], &bare).with_code(0);
         run.hides("nothing was promised");
