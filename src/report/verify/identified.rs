@@ -179,10 +179,7 @@ fn effect(lines: &[Line]) -> String {
         words.push(format!("grow in {grow}"));
     }
     if words.is_empty() {
-        return format!(
-            "In none of the {} channels is an order lost by that.",
-            lines.len()
-        );
+        return "No order is lost by that in the channels that were run.".into();
     }
     format!(
         "Of {} channels errors {}.",
