@@ -2,7 +2,7 @@
 
 use super::holdout::{Compared, compare, of_places};
 use super::pose::Steps;
-use super::rule::Rule;
+use super::rule::{Rule, Scheme, Segment};
 use super::weights::Answers;
 use super::{Identification, State};
 use crate::kernel::{Medium, Samples, Segments};
@@ -22,6 +22,10 @@ pub struct Seen<'a> {
 
 /// A place that a kernel works out is off by so many units of the ray's length.
 const OFF: f64 = 4.0;
+/// Ladders are longer than probes: an exponential that is off by a few units always the same way adds up.
+const ADDS_UP: f64 = 4.0;
+/// Segments so deep no two integrate alike that integrate numerically.
+const DEEP: f64 = 8.0;
 
 impl Identification {
     /// Whether the rule that is named answers a ray as the kernel has, channel by channel; answers that are not finite
@@ -34,11 +38,14 @@ impl Identification {
             return None;
         }
         let known = Answers {
-            unit: self.parts.unit?,
+            unit: ADDS_UP * self.parts.unit?,
             noise: self.parts.noise,
             grain: self.parts.grain,
             ..Answers::default()
         };
+        if is_too_deep(rule, seen.segments) {
+            return Some(vec![true; seen.answers.len()]);
+        }
         let known = of_places(rule, &known);
         let count = seen.answers.len();
         let own = |k: usize| {
@@ -67,6 +74,22 @@ impl Identification {
         }
         Some((0..count).map(|k| agree(&all, k)).collect())
     }
+}
+
+/// Whether a segment is too deep for the integral of linear media to be told.
+fn is_too_deep(rule: &Rule, segments: &Segments) -> bool {
+    let is_integrated = matches!(
+        rule.scheme,
+        Scheme::Segments {
+            weights: Segment::Linear,
+            ..
+        }
+    );
+    let pairs = segments.edges.extinction.windows(2);
+    let mut depths = pairs
+        .zip(segments.lengths())
+        .map(|(ends, length)| ends.iter().sum::<f64>() / 2.0 * length);
+    is_integrated && depths.any(|depth| depth > DEEP)
 }
 
 /// The segments and the step that a rule is to be applied to, all places by so large a part of the ray farther back.

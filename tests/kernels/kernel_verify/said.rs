@@ -7,7 +7,7 @@ use volver::convergence::Verdict;
 use volver::kernel::{
     Closure, Declaration, FormKind, Kernel, KernelError, MAX_TASK_SEGMENTS, Rendering, Task,
 };
-use volver::study::verify::{Conclusion, Standing, Verification};
+use volver::study::verify::{Conclusion, Settings, Standing, Verification};
 
 /// One sample in the middle of segments whose number the kernel chooses itself, and what it says of that.
 struct Own {
@@ -179,4 +179,76 @@ fn nan_is_an_answer_and_it_contradicts() {
     assert_eq!(line.standing, Standing::Contradicted);
     assert_eq!(line.measured.verdict(), Verdict::NotFinite);
     assert!(line.steady && line.is_complete());
+}
+
+/// Half of the light on one case alone, which no probe sees; its rule is still that of all others.
+#[test]
+fn a_case_that_is_answered_otherwise_is_named() {
+    let mut kernel = Closure::new(
+        super::declared("front-to-back/front/expm1"),
+        |task, channel| {
+            let segments = task.cut().expect("segments are asked for");
+            let radiance = composite(super::front(segments, channel));
+            let part = if task.subject.name() == "cloud" {
+                0.5
+            } else {
+                1.0
+            };
+            part * radiance
+        },
+    );
+    let verification = run(&mut kernel, &subjects(&SMOOTH), &settings("8..256"));
+    let shown = shown(&verification);
+    let identified = verification.identification.as_ref().unwrap();
+    assert_eq!(identified.differs, ["cloud"], "{shown}");
+    assert!(identified.named().is_some(), "{shown}");
+    assert!(verification.deviates(), "{shown}");
+    assert_eq!(
+        verification.conclusion(),
+        Conclusion::NotConfirmed,
+        "{shown}"
+    );
+}
+
+/// Orders are confirmed, and nothing is seen behind a transmittance of 1e-6.
+#[test]
+fn a_deviation_makes_no_confirmation_of_an_order_until_it_is_accepted() {
+    let declaration = Declaration {
+        order: Some(1.0),
+        ..Declaration::new("under test")
+    };
+    let march = |segments: &volver::kernel::Segments, channel: usize| {
+        let (mut radiance, mut transmittance) = (0.0, 1.0);
+        for (extinction, emission, length) in super::front(segments, channel) {
+            let alpha = -(-extinction * length).exp_m1();
+            radiance += transmittance * alpha * emission;
+            transmittance *= 1.0 - alpha;
+            if transmittance < 1e-6 {
+                break;
+            }
+        }
+        radiance
+    };
+    let verified = |accept: &[&str]| {
+        let mut kernel = Closure::new(declaration.clone(), move |task, channel| {
+            march(task.cut().expect("segments are asked for"), channel)
+        });
+        let settings = Settings {
+            accept: accept.iter().map(|one| one.parse().unwrap()).collect(),
+            ..settings("8..256")
+        };
+        run(
+            &mut kernel,
+            &subjects(&["sine-squared", "cloud"]),
+            &settings,
+        )
+    };
+    // No ray of these is so deep that it shows in an order.
+    let found = verified(&[]);
+    assert_eq!(part(&found, Standing::Contradicted), 0.0);
+    assert_eq!(super::deviations(&found), ["early-end"]);
+    assert_eq!(found.conclusion(), Conclusion::NotConfirmed);
+    let off = |accept: &str| verified(&[accept]).conclusion() == Conclusion::Confirmed;
+    assert!(off("early-end=1e-6") && off("early-end"));
+    assert!(!off("early-end=1.02e-6") && !off("last-sample"));
 }
