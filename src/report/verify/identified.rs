@@ -114,6 +114,7 @@ fn said<'a>(
 }
 
 /// All that is said of a kernel, as findings: for programs that show nothing else.
+#[cfg(feature = "studies")]
 pub(super) fn findings(verification: &Verification) -> Vec<Finding> {
     let Some(identified) = &verification.identification else {
         return Vec::new();
@@ -160,10 +161,10 @@ fn effect(lines: &[Line]) -> String {
     let stalled = of(Verdict::Stalled);
     if let Some(first) = stalled.first() {
         let (count, name) = (stalled.len(), &first.name);
-        let left = left(first);
-        words.push(format!(
-            "stop falling in {count} (in {name} at {left} of the radiance)"
-        ));
+        let at = left(first).map_or(String::new(), |left| {
+            format!(" (in {name} at {left:.0e} of the radiance)")
+        });
+        words.push(format!("stop falling in {count}{at}"));
     }
     let lower = of(Verdict::TooLow);
     if let Some(first) = lower.first() {
@@ -188,13 +189,12 @@ fn effect(lines: &[Line]) -> String {
     )
 }
 
-/// The error at the finest level, as a part of the radiance.
-fn left(line: &Line) -> String {
+/// The error at the finest level, as a part of the radiance, where there is any.
+fn left(line: &Line) -> Option<f64> {
     let Measured::Fitted { samples, .. } = &line.measured else {
-        return NONE.into();
+        return None;
     };
-    let error = samples.last().map(|sample| sample.error.to_f64().abs());
-    error.map_or(NONE.into(), |error| {
-        format!("{:.0e}", error / line.exact.to_f64().abs())
-    })
+    let error = samples.last()?.error.to_f64().abs();
+    let left = error / line.exact.to_f64().abs();
+    Some(left).filter(|left| left.is_finite())
 }
