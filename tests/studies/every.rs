@@ -42,6 +42,7 @@ pub(crate) fn commands() -> Vec<(&'static str, &'static str)> {
             "",
         ),
         ("check base.json method:tree/middle/expm1", ""),
+        ("identify method:tree/middle/expm1", ""),
         ("reproduce --table 2 --levels 8..64", ""),
         ("reproduce --table 2 --levels 8..64 --json -", ""),
         ("stress --scenarios vacuum --formats f32", ""),
