@@ -70,9 +70,12 @@ impl HoldOut {
     /// Whether it holds on every kind.
     #[must_use]
     pub fn is_whole(&self) -> bool {
-        !self.kinds.is_empty() && self.kinds.iter().all(Kind::holds)
+        self.kinds.len() >= FEWEST && self.kinds.iter().all(Kind::holds)
     }
 }
+
+/// A rule that holds on fewer kinds than this is not known to hold.
+const FEWEST: usize = 4;
 
 /// The depth of a segment that is a wall.
 const WALL: f64 = 1e5;
@@ -307,6 +310,17 @@ const MAKES: [Make; 24] = [
 /// The optical depth of thick rays.
 const SLOPE: f64 = 40.0;
 
+/// The kinds for which there are rays where there are few.
+const CORE: [&str; 7] = [
+    "smooth",
+    "of very many segments",
+    "thick",
+    "empty at an end",
+    "of one segment",
+    "with next to nothing as a last step",
+    "glaring",
+];
+
 /// What is held out, beside the rule.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Terms<'a> {
@@ -317,7 +331,6 @@ pub(super) struct Terms<'a> {
     pub(super) no_vacuum: bool,
     /// It takes negative emissions.
     pub(super) negative: bool,
-    pub(super) lean: bool,
 }
 
 /// Asks rays of all kinds.
@@ -332,7 +345,7 @@ pub(super) fn hold_out(
         let has_gaps = matches!(make.what, What::Gaps | What::EmptyEnd | What::OneName);
         if (has_gaps && terms.no_vacuum)
             || (make.what == What::Negative && !terms.negative)
-            || (terms.lean && make.segments[0] > 1_000)
+            || (session.is_short() && !CORE.contains(&make.name))
             // Quadratures inside segments have their own end.
             || (make.what == What::Opaque(WALL) && matches!(rule.scheme, Scheme::Segments { .. }))
         {
@@ -344,7 +357,11 @@ pub(super) fn hold_out(
             [(false, make.whole), (true, make.partial)]
         };
         for (partial, rays) in counts {
-            let rays = if terms.lean { rays.min(1) } else { rays };
+            let rays = if session.is_short() {
+                rays.min(1)
+            } else {
+                rays
+            };
             if rays == 0 {
                 continue;
             }
@@ -381,6 +398,8 @@ pub(super) fn hold_out(
                             );
                         }
                     }
+                    // What was asked until then counts.
+                    Err(Silence::Budget(_)) if out.kinds.len() >= FEWEST => return Ok(out),
                     Err(Silence::Budget(spent)) => return Err(Silence::Budget(spent)),
                     Err(_) => kind.unanswered += 1,
                 }

@@ -190,7 +190,6 @@ pub fn held_out(
         typical: factor.recip(),
         no_vacuum: false,
         negative: true,
-        lean: false,
     };
     holdout::hold_out(&mut session, rule, &terms)
 }
@@ -204,7 +203,7 @@ struct Sampled {
 }
 
 fn run(session: &mut Session<'_>, found: &mut Identification) -> Result<(), NotIdentified> {
-    let lean = false;
+    let lean = session.is_narrow() || session.is_short();
     let (state, noise) = state::state(session)?;
     found.parts.noise = noise;
     found.state = Some(state.clone());
@@ -267,7 +266,6 @@ fn run(session: &mut Session<'_>, found: &mut Identification) -> Result<(), NotI
         typical: sampled.typical,
         no_vacuum: fails.part_fails,
         negative: mapped.takes_negative,
-        lean,
     };
     // What was found out is tried on rays that know nothing of it.
     (session.pose, session.divides) = (poses, divides);

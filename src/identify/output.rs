@@ -58,7 +58,12 @@ pub(super) fn output(
     state: &State,
     noise: f64,
 ) -> Result<Mapped, NotIdentified> {
-    let sizes = sizes();
+    let mut sizes = sizes();
+    if session.is_narrow() {
+        // 0 is the first before they are mixed.
+        sizes.sort_by(f64::total_cmp);
+        sizes = sizes.into_iter().step_by(3).collect();
+    }
     let many = constants(session, &sizes)?;
     let mut pairs: Vec<(f64, f64)> = sizes.iter().copied().zip(many).collect();
     pairs.sort_by(|u, v| u.0.total_cmp(&v.0));
