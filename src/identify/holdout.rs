@@ -233,13 +233,6 @@ const MAKES: [Make; 24] = [
         ..USUAL
     },
     Make {
-        name: "of many segments",
-        segments: [41, 64],
-        whole: 0,
-        partial: 1,
-        ..USUAL
-    },
-    Make {
         name: "with next to nothing as a last step",
         what: What::ShortLast,
         whole: 0,
@@ -293,6 +286,14 @@ const MAKES: [Make; 24] = [
         segments: [1_190, 1_210],
         whole: 1,
         partial: 0,
+        ..USUAL
+    },
+    Make {
+        name: "of many segments",
+        // After a longer ray: what is left of that one shows.
+        segments: [65, 119],
+        whole: 0,
+        partial: 1,
         ..USUAL
     },
     // Different rays of one name and one number of segments: what is remembered by these shows.
