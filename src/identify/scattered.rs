@@ -1,13 +1,14 @@
 //! Samples whose places are drawn at random: their law over even media, where each seed's sample lies, means held out.
 
-use super::NotIdentified;
+use super::deviation::{Deviation, deviations, right_of};
 use super::opacity::fit::{Fitted, laws};
 use super::opacity::measure::Point;
 use super::random::Random;
 use super::ray::{Emission, Layers};
-use super::rule::Law;
+use super::rule::{Law, Place, Rule, Scheme};
 use super::session::Session;
 use super::weights::{Answers, Measured};
+use super::{Identification, NotIdentified};
 
 /// A kernel that samples each segment somewhere.
 #[derive(Clone, Debug, PartialEq)]
@@ -20,6 +21,28 @@ pub struct Scattered {
     pub seeds: usize,
     /// By how many standard errors the farthest of them differs.
     pub farthest: f64,
+}
+
+impl Scattered {
+    /// In what it deviates from samples whose opacity is 1 − e^(−τ d).
+    pub(super) fn deviations(&self, found: &Identification) -> Vec<Deviation> {
+        let scheme = Scheme::Sample {
+            place: Place::Middle,
+            law: self.law.clone(),
+        };
+        let rule = Rule {
+            scheme,
+            output: found.parts.output.unwrap_or_default(),
+            channels: found.parts.channels.unwrap_or_default(),
+            ..Rule::default()
+        };
+        let all = deviations(&rule, &right_of(&rule), &found.brackets);
+        let of_even = |deviation: Deviation| Deviation {
+            probe: "even rays of one and two segments, and means over seeds",
+            ..deviation
+        };
+        all.into_iter().map(of_even).collect()
+    }
 }
 
 /// Seeds whose places are looked at.

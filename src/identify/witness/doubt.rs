@@ -1,12 +1,16 @@
 //! Whether the answers to a ray differ from what they are to be.
 
 use super::super::Identification;
-use super::super::holdout::{Compared, compare};
+use super::super::holdout::{Compared, SLOPE, compare};
+use super::super::pose::Steps;
 use super::super::ray::Ray;
 use super::super::rule::Rule;
 use super::super::session::{Session, Silence};
 use super::super::state::Repeat;
+use super::super::volume::{Optics, tabulated};
 use super::super::weights::Answers;
+use crate::kernel::Segments;
+use std::borrow::Cow;
 
 /// What a ray shows.
 #[derive(Clone, Debug, PartialEq)]
@@ -53,6 +57,8 @@ pub(super) struct AgainstRules<'k> {
     session: Session<'k>,
     rules: &'k [Rule],
     answers: Answers,
+    /// What is read of a volume.
+    optics: Option<Optics>,
     spent: bool,
     names: Names,
 }
@@ -86,8 +92,22 @@ impl<'k> AgainstRules<'k> {
             session,
             rules,
             answers: answers(known),
+            optics: known.optics,
             spent: false,
             names: Names { stem, given: 0 },
+        }
+    }
+}
+
+impl AgainstRules<'_> {
+    /// The segments between which a kernel's samples lie on a ray, and the step.
+    fn cut<'r>(&self, rule: &Rule, ray: &'r Ray) -> (Cow<'r, Segments>, f64) {
+        match &self.optics {
+            Some(optics) => {
+                let (segments, step) = optics.cut(&tabulated(ray), &Steps::of(ray));
+                (Cow::Owned(segments), step)
+            }
+            None => rule.cut(ray),
         }
     }
 }
@@ -113,13 +133,17 @@ impl Doubt for AgainstRules<'_> {
             }
             Err(_) => return None,
         };
+        let is_placed = self.optics.is_some() || self.rules.iter().any(|r| r.lattice.is_some());
+        // A place is known to its rounding, times the medium's slope there.
+        let places = if is_placed { SLOPE } else { 1.0 };
         let wide = Answers {
-            unit: CLEAR * self.answers.unit,
+            unit: places * CLEAR * self.answers.unit,
             noise: CLEAR * self.answers.noise,
             ..self.answers.clone()
         };
         let of_rule = |rule: &Rule| {
-            let all = compare(rule, &wide, &ray.segments, ray.step, &got);
+            let (segments, step) = self.cut(rule, ray);
+            let all = compare(rule, &wide, &segments, step, &got);
             let quantum = QUANTA * rule.output.quantum.unwrap_or(0.0);
             let all = all.into_iter().enumerate();
             all.map(|(channel, one)| shown(ray, channel, one, quantum, self.answers.unit))
