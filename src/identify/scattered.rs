@@ -9,6 +9,7 @@ use super::rule::{Law, Place, Rule, Scheme};
 use super::session::Session;
 use super::weights::{Answers, Measured};
 use super::{Identification, NotIdentified};
+use std::fmt;
 
 /// A kernel that samples each segment somewhere.
 #[derive(Clone, Debug, PartialEq)]
@@ -21,6 +22,25 @@ pub struct Scattered {
     pub seeds: usize,
     /// By how many standard errors the farthest of them differs.
     pub farthest: f64,
+}
+
+/// The law on the values where a sample lies, and how its place is drawn.
+impl fmt::Display for Scattered {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let rule = Rule {
+            scheme: Scheme::Sample {
+                place: Place::Middle,
+                law: self.law.clone(),
+            },
+            ..Rule::default()
+        };
+        let drawn = if self.one_shift {
+            "samples at one part of all segments of a ray, drawn evenly by the seed"
+        } else {
+            "samples somewhere in their segments, each drawn evenly by the seed"
+        };
+        f.write_str(&rule.to_string().replace(MIDDLE, drawn))
+    }
 }
 
 impl Scattered {
@@ -44,6 +64,9 @@ impl Scattered {
         all.into_iter().map(of_even).collect()
     }
 }
+
+/// What a rule of samples in the middle says of their places.
+const MIDDLE: &str = "samples in the middle of segments";
 
 /// Seeds whose places are looked at.
 const PLACES: u64 = 48;
