@@ -6,7 +6,7 @@ use super::opacity_answered::{self, OpacityAnswered};
 use super::rule::Rule;
 use super::session::{Budget, Spent};
 use super::witness::{Witness, witness};
-use super::{Identification, identify, volume};
+use super::{Identification, covered, identify, volume};
 use crate::kernel::{Declaration, Kernel};
 
 /// What was found out about a kernel, and what that means.
@@ -96,10 +96,14 @@ pub fn examine(kernel: &mut dyn Kernel, budget: Budget, heard: &mut dyn FnMut(&S
         Verdict::NotIdentified => true,
         Verdict::Right | Verdict::NoAnswer => false,
     };
-    // Of answers that scatter none shows anything.
-    if wanted && !examined.declaration.stochastic {
-        let misses = &examined.found.hold_out.misses;
-        let from = misses.first().map(|miss| miss.ray.clone());
+    // Of answers that scatter none shows anything, but where only places are drawn.
+    let state = examined.found.state.as_ref();
+    let scatters = examined.declaration.stochastic || state.is_some_and(|state| state.seed);
+    if wanted && (!scatters || examined.found.scattered.is_some()) {
+        let misses = examined.found.hold_out.misses.iter();
+        let from = misses
+            .min_by_key(|miss| miss.ray.segments.count())
+            .map(|miss| miss.ray.clone());
         let mut searched = Spent::default();
         let mut hear = |spent: &Spent| {
             searched = *spent;
@@ -128,6 +132,7 @@ fn all_deviations(
     let mut all = Vec::new();
     if let (Some(rule), Some(right)) = (found.named(), rules.first()) {
         all.extend(deviations(rule, right, &found.brackets));
+        all.extend(rule.lattice.iter().flat_map(covered::deviations));
         all.extend(found.optics.iter().flat_map(volume::deviations));
         all.extend(opacity_answered::deviation(
             &found.hold_out.opacity,

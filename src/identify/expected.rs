@@ -1,7 +1,7 @@
 //! What a kernel is to compute: the rule that it declares, or the one of the same places without faults.
 
 use super::deviation::right_of;
-use super::rule::{Law, Place, Rule, Scheme, Wall};
+use super::rule::{Lattice, Law, Place, Rule, Scheme, Wall};
 use super::{Identification, stated};
 use crate::kernel::{Declaration, Sampling};
 
@@ -13,11 +13,11 @@ pub(super) fn expected(found: &Identification, declaration: &Declaration) -> Vec
     let declared = declaration.method.as_ref().and_then(stated);
     let rules = match (found.named(), declared) {
         (Some(rule), Some(declared)) => vec![Rule {
-            lattice: rule.lattice,
+            lattice: rule.lattice.map(Lattice::covering),
             ..declared
         }],
         (Some(rule), None) => vec![Rule {
-            lattice: rule.lattice,
+            lattice: rule.lattice.map(Lattice::covering),
             ..placed(right_of(rule), declaration)
         }],
         (None, Some(declared)) => vec![declared],

@@ -7,6 +7,7 @@
 
 mod against;
 mod channels;
+mod covered;
 mod curves;
 mod deviation;
 mod ends;

@@ -348,7 +348,7 @@ fn power(answers: &Answers, curved: &Curved) -> Option<(f64, f64)> {
 }
 
 /// The largest 1/(2^b − 1) or 2^(−b), 4 ≤ b ≤ 16, that all answers are multiples of.
-fn quantum(answers: &[f64]) -> Option<f64> {
+pub(super) fn quantum(answers: &[f64]) -> Option<f64> {
     let mut sizes: Vec<f64> = answers
         .iter()
         .map(|y| y.abs())
@@ -381,7 +381,7 @@ fn gcd(a: f64, b: f64) -> f64 {
 }
 
 /// 2^(−p) of the narrowest format that holds all answers.
-fn unit(answers: &[f64]) -> f64 {
+pub(super) fn unit(answers: &[f64]) -> f64 {
     for bits in [8, 11, 24] {
         let holds = |y: &f64| {
             let rounded = rug::Float::with_val(bits, *y).to_f64();

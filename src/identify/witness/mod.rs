@@ -22,7 +22,7 @@ use super::session::{Budget, Session, Spent};
 use super::{Identification, Ray};
 use crate::kernel::{Closure, Declaration, Kernel};
 use crate::real::Native;
-use doubt::AgainstRules;
+use doubt::{AgainstRules, precision};
 use shape::{Shape, per_segment};
 use std::fmt;
 
@@ -182,9 +182,19 @@ pub fn witness(
             }
         }
     }
-    let session = Session::new(kernel, budget, heard);
+    let mut session = Session::new(kernel, budget, heard);
+    let measured = precision(&mut session, known);
+    let known = measured.as_ref().unwrap_or(known);
     let mut doubt = AgainstRules::new(session, rules, known, "sought");
-    let (ray, shown) = search(&mut doubt, nodes, from)?;
+    let (ray, shown) = if known.scattered.is_some() {
+        // One segment that is the same everywhere has one answer, wherever its sample lies.
+        let ones = small::few(nodes).into_iter().take(1).collect();
+        let limits = doubt.limits();
+        let (shape, shown) = small::search(&mut doubt, ones, limits)?;
+        (shape.ray(), shown)
+    } else {
+        search(&mut doubt, nodes, from)?
+    };
     Some(Witness::of(ray, &shown))
 }
 
@@ -217,6 +227,10 @@ pub(super) fn search(
     let start = match start {
         Some(found) => Some(found),
         None => small::search(doubt, small::many(nodes), limits),
+    };
+    let (nodes, start) = match start {
+        Some(found) => (nodes, Some(found)),
+        None => (Nodes::All, small::search(doubt, small::scattered(), limits)),
     };
     let (shape, shown) = start?;
     let (shape, shown) = shrink::shrink(doubt, shape, shown, limits, nodes);

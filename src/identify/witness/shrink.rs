@@ -14,6 +14,11 @@ const ROUND: [f64; 9] = [0.0, 1.0, 2.0, 0.5, 5.0, 10.0, 0.1, 20.0, 0.01];
 /// Rounds after which nothing is expected to get smaller any more.
 const ROUNDS: usize = 4;
 
+/// Of rays of more segments single ones are not tried: each would cost as many questions.
+const LONG: usize = 16;
+/// Of such a ray no parts are left out that are less than this part of it.
+const PARTS: usize = 8;
+
 /// A ray on its way.
 struct Shrinking<'d> {
     doubt: &'d mut dyn Doubt,
@@ -110,8 +115,14 @@ impl Shrinking<'_> {
                 ..self.shape.clone()
             });
         }
-        let mut size = self.shape.count() / 2;
-        while size > 0 {
+        if self.shape.count() > LONG {
+            self.shorten(|shape, count| shape.without(0, shape.count() - count));
+            self.shorten(|shape, count| shape.without(count, shape.count()));
+        }
+        let count = self.shape.count();
+        let least = if count > LONG { count / PARTS } else { 1 };
+        let mut size = count / 2;
+        while size >= least.max(1) {
             let mut end = self.shape.count();
             while end >= size && self.shape.count() > size {
                 let fewer = self.shape.without(end - size, end);
@@ -125,6 +136,23 @@ impl Shrinking<'_> {
                 }
             }
             size /= 2;
+        }
+    }
+
+    /// The fewest segments at one end that show it, by bisection.
+    fn shorten(&mut self, kept: impl Fn(&Shape, usize) -> Option<Shape>) {
+        let whole = self.shape.clone();
+        let (mut low, mut high) = (0, whole.count());
+        while high - low > 1 && !self.doubt.is_spent() {
+            let count = usize::midpoint(low, high).next_multiple_of(self.limits.multiple);
+            if count >= high {
+                break;
+            }
+            if kept(&whole, count).is_some_and(|fewer| self.take(fewer)) {
+                high = count;
+            } else {
+                low = count;
+            }
         }
     }
 
@@ -151,15 +179,40 @@ impl Shrinking<'_> {
             });
         }
         self.numbers(&|shape| Some(&mut shape.extinction));
+        self.light_one_end();
         for channel in 0..self.shape.emission.len() {
             self.numbers(&|shape| shape.emission.get_mut(channel));
+        }
+    }
+
+    /// Of a long ray only the first segment shines, or only the last one.
+    fn light_one_end(&mut self) {
+        let n = self.shape.count();
+        if n <= LONG {
+            return;
+        }
+        for lit in [0, n - 1] {
+            let row = |i: usize| if i == lit { 1.0 } else { 0.0 };
+            let row: Vec<f64> = (0..n).map(row).collect();
+            let nodes = match self.nodes {
+                Nodes::All => Nodes::Middle,
+                one => one,
+            };
+            let emission = placed(nodes, &row);
+            let shape = Shape {
+                emission: vec![emission],
+                ..self.shape.clone()
+            };
+            if shape.emission == self.shape.emission || self.take(shape) {
+                return;
+            }
         }
     }
 
     /// Numbers of one kind: all at once, then one by one.
     fn numbers(&mut self, of: &dyn Fn(&mut Shape) -> Option<&mut Emission>) {
         let row = |shape: &Shape| of(&mut shape.clone()).map(|row| row.clone());
-        for value in [1.0, 0.0] {
+        for value in [1.0, 0.0, 0.1, 0.01] {
             let Some(mut now) = row(&self.shape) else {
                 return;
             };
@@ -169,6 +222,9 @@ impl Shrinking<'_> {
             }
         }
         let n = self.shape.count();
+        if n > LONG {
+            return;
+        }
         let count = if self.nodes == Nodes::All {
             2 * n + 1
         } else {
