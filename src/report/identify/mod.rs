@@ -235,8 +235,8 @@ fn pictures(examined: &Examined) -> Vec<Block> {
     };
     let mut blocks = vec![Block::Figure(Figure::new(
         "weights",
-        "What values along an even ray of depth 3 weigh",
-        [plots::weights(rule)],
+        "What values along an even ray weigh, and how much of their light reaches the eye",
+        plots::along(rule),
     ))];
     let opacities = plots::opacities(rule);
     if !opacities.is_empty() {
