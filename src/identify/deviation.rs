@@ -173,6 +173,24 @@ fn bracket(part: Part, brackets: &[Bracket]) -> Option<(f64, f64)> {
 const TWICE: &str = "the same ray asked again";
 const TOGETHER: &str = "several rays in one request";
 
+/// Deviations that no single ray shows: what answers depend on beside the question.
+const OF_STATE: [&str; 7] = [
+    "first-answer",
+    "previous-answer",
+    "noise",
+    "carried-transmittance",
+    "batch",
+    "answers-by-name",
+    "seed",
+];
+
+impl Deviation {
+    /// Whether one ray may show it.
+    pub(super) fn shows_on_one_ray(&self) -> bool {
+        !OF_STATE.contains(&self.name)
+    }
+}
+
 /// What of a kernel's answers depends on more than the question, and where there are none.
 #[must_use]
 pub fn misbehaviour(found: &Identification) -> Vec<Deviation> {

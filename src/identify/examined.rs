@@ -92,7 +92,9 @@ pub fn examine(kernel: &mut dyn Kernel, budget: Budget, heard: &mut dyn FnMut(&S
     // A right radiance beside another opacity is shown already.
     let mut of_radiance = examined.deviations.iter();
     let wanted = match examined.verdict() {
-        Verdict::Deviates => of_radiance.any(|d| d.name != opacity_answered::NAME),
+        Verdict::Deviates => {
+            of_radiance.any(|d| d.name != opacity_answered::NAME && d.shows_on_one_ray())
+        }
         Verdict::NotIdentified => true,
         Verdict::Right | Verdict::NoAnswer => false,
     };
