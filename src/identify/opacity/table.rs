@@ -169,7 +169,7 @@ fn lattice(entries: &[f64]) -> Option<(f64, f64)> {
     let is_lattice = far <= 1e-6_f64.min(0.02 * step);
     let most = sorted.last().copied().unwrap_or(step) / step;
     let within = (far / most / step).max(1e-14);
-    is_lattice.then(|| (step * (1.0 - within), step * (1.0 + within)))
+    is_lattice.then_some((step * (1.0 - within), step * (1.0 + within)))
 }
 
 /// The depth of a last entry, the largest depth whose opacity occurs, and the step that divides it.

@@ -92,10 +92,7 @@ impl Shrinking<'_> {
 
     /// One value a segment; where that shows nothing, every node goes on with its own.
     fn flatten(&mut self) {
-        let nodes = match self.nodes {
-            Nodes::All => Nodes::Middle,
-            one => one,
-        };
+        let nodes = self.placing();
         let flat = |of: &Emission| placed(nodes, &sampled(nodes, of));
         let shape = Shape {
             extinction: flat(&self.shape.extinction),
@@ -179,33 +176,61 @@ impl Shrinking<'_> {
             });
         }
         self.numbers(&|shape| Some(&mut shape.extinction));
-        self.light_one_end();
+        self.light_one();
         for channel in 0..self.shape.emission.len() {
             self.numbers(&|shape| shape.emission.get_mut(channel));
         }
     }
 
-    /// Of a long ray only the first segment shines, or only the last one.
-    fn light_one_end(&mut self) {
+    /// Of a long ray only one segment shines: at an end or beside it, or where half by half is left dark.
+    fn light_one(&mut self) {
         let n = self.shape.count();
-        if n <= LONG {
+        if n <= LONG || self.is_lit_once() {
             return;
         }
-        for lit in [0, n - 1] {
-            let row = |i: usize| if i == lit { 1.0 } else { 0.0 };
-            let row: Vec<f64> = (0..n).map(row).collect();
-            let nodes = match self.nodes {
-                Nodes::All => Nodes::Middle,
-                one => one,
-            };
-            let emission = placed(nodes, &row);
-            let shape = Shape {
-                emission: vec![emission],
-                ..self.shape.clone()
-            };
-            if shape.emission == self.shape.emission || self.take(shape) {
+        if [0, n - 1, 1, n - 2]
+            .into_iter()
+            .any(|i| self.light(i, i + 1))
+        {
+            return;
+        }
+        let (mut start, mut end) = (0, n);
+        while end - start > 1 && !self.doubt.is_spent() {
+            let middle = usize::midpoint(start, end);
+            if self.light(start, middle) {
+                end = middle;
+            } else if self.light(middle, end) {
+                start = middle;
+            } else {
                 return;
             }
+        }
+    }
+
+    /// Whether all channels shine in one segment, or in none.
+    fn is_lit_once(&self) -> bool {
+        self.shape.emission.iter().all(|channel| {
+            let values = sampled(self.placing(), channel);
+            values.iter().filter(|c| c.abs() > 0.0).count() <= 1
+        })
+    }
+
+    /// Only segments from `start` to `end` shine.
+    fn light(&mut self, start: usize, end: usize) -> bool {
+        let row = |i: usize| if (start..end).contains(&i) { 1.0 } else { 0.0 };
+        let row: Vec<f64> = (0..self.shape.count()).map(row).collect();
+        let emission = vec![placed(self.placing(), &row)];
+        self.take(Shape {
+            emission,
+            ..self.shape.clone()
+        })
+    }
+
+    /// Where a segment has its one value, if it is to have one.
+    fn placing(&self) -> Nodes {
+        match self.nodes {
+            Nodes::All => Nodes::Middle,
+            one => one,
         }
     }
 
