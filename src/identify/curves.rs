@@ -56,7 +56,13 @@ impl Rule {
             Node::Middle(i) => ray.segments.middles.lambda.get(i),
         };
         let mut points: Vec<(f64, f64)> = Vec::new();
-        for (node, weight) in &self.along(&ray).terms {
+        let mut terms = self.along(&ray).terms;
+        if let Scheme::Sample { place, .. } = &self.scheme {
+            // Behind the end of a ray samples weigh nothing.
+            let all = (0..ray.segments.count()).filter_map(|i| isize::try_from(i).ok());
+            terms.extend(all.filter_map(|i| Some((place.node(i)?, 0.0))));
+        }
+        for (node, weight) in &terms {
             let Some(lambda) = at(*node) else { continue };
             // A node between two segments has a weight of each.
             match points

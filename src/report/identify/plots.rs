@@ -52,9 +52,18 @@ pub(super) fn along(rule: &Rule) -> Vec<Plot> {
     vec![weights, transmittances]
 }
 
+/// The largest opacity that is drawn.
+const MOST: f64 = 1.5;
+
 /// α and 1 − e^(−τd), and by how much they differ where they do; none of rules without one law.
 pub(super) fn opacities(rule: &Rule) -> Vec<Plot> {
     let rows = rule.opacities();
+    let right = rows.iter().map(|row| (row[0].log10(), row[2])).collect();
+    // Opacities without bounds would leave nothing to see of the others.
+    let rows: Vec<_> = rows
+        .into_iter()
+        .filter(|row| row[1].abs() <= MOST)
+        .collect();
     if rows.is_empty() {
         return Vec::new();
     }
@@ -67,7 +76,6 @@ pub(super) fn opacities(rule: &Rule) -> Vec<Plot> {
     };
     let axes = |title: &str, y: &str| Plot::new(title, Axis::log("τd"), Axis::linear(y));
     let mut both = axes("Opacity of a segment of length 1", "α");
-    let right = rows.iter().map(|row| (row[0].log10(), row[2])).collect();
     both.series = vec![
         curve("1 − e^(−τd)", right),
         Series::marks("the kernel", points(&|row| row[1])),
