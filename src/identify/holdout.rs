@@ -309,7 +309,7 @@ const MAKES: [Make; 24] = [
 ];
 
 /// The optical depth of thick rays.
-const SLOPE: f64 = 40.0;
+pub(super) const SLOPE: f64 = 40.0;
 
 /// The kinds for which there are rays where there are few.
 const CORE: [&str; 7] = [
@@ -595,19 +595,20 @@ fn wave(random: &mut Random) -> impl Fn(f64) -> f64 + use<> {
     move |part| 1.0 + 0.9 * (phase + std::f64::consts::TAU * periods * part).sin()
 }
 
-/// Compares the opacity that came with an answer with 1 − T.
+/// Compares the opacity that came with an answer with 1 − T, which it returns.
 pub(super) fn check_opacity(
     rule: &Rule,
     answers: &Answers,
     (segments, step): (&Segments, f64),
     got: f64,
     check: &mut OpacityCheck,
-) {
+) -> f64 {
     let composed = rule.composed(segments, step, Native::<f64>::new());
     let n = segments.count() as f64;
     let quantum = rule.output.quantum.unwrap_or(0.0);
     let allowed = answers.unit * (64.0 + 8.0 * n) + answers.noise + quantum;
-    let off = (got - (1.0 - composed.passes)).abs();
+    let want = 1.0 - composed.passes;
+    let off = (got - want).abs();
     check.answered += 1;
     check.agree += usize::from(off <= allowed);
     // A difference that is no number is no small one.
@@ -616,6 +617,7 @@ pub(super) fn check_opacity(
     } else {
         f64::INFINITY
     };
+    want
 }
 
 /// Compares the answers to a ray with the rule's.

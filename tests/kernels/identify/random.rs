@@ -245,6 +245,7 @@ impl Random {
     pub(super) fn rule(&mut self) -> Rule {
         let rarely = |random: &mut Self| random.one_in(2);
         Rule {
+            lattice: None,
             scheme: self.scheme(),
             sequence: if rarely(self) {
                 self.sequence()
