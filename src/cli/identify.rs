@@ -1,12 +1,15 @@
 //! `volver identify`: what a kernel computes, read off by probes.
 
+mod code;
 mod replay;
+mod stated;
 
 use super::about::about;
 use super::kernel::{KERNELS, KernelArguments};
 use super::output::Output;
 use super::{Bar, Color, Failure, Outcome};
 use clap::Args;
+use code::Code;
 use std::path::PathBuf;
 use std::str::FromStr;
 use std::time::Duration;
@@ -30,11 +33,15 @@ Work: at most RAYS rays, as many again for a witness and three times as many wit
 --against, of up to 1210 segments; a program has --timeout for each answer. A bar on the
 terminal says how many are left at most.
 
-JSON: verdict, rule, validated, deviations, not_identified, witness, against, cost.
+A method of volver's own is not asked: the rule that it states is printed.
+
+JSON: verdict, rule, scattered, volume, validated, deviations, not_identified, witness,
+opacity, against, cost.
 
 Examples:
   volver identify --budget 300 python3 examples/kernels/nerf.py
   volver identify --json - python3 examples/kernels/nerf.py
+  volver identify --code python python3 examples/kernels/nerf.py
   volver identify --against 'python3 examples/kernels/nerf.py' python3 examples/kernels/nerf.py";
 
 /// Read off what a kernel computes, and how that deviates
@@ -64,6 +71,9 @@ pub(crate) struct Identify {
     /// Print the witness as a unit test: c, python or rust
     #[arg(long, value_name = "LANGUAGE", value_parser = Language::from_str)]
     test: Option<Language>,
+    /// Print the named rule as code, and nothing else: c or python
+    #[arg(long, value_name = "LANGUAGE", value_enum, conflicts_with_all = ["json", "test", "replay", "quiet"])]
+    code: Option<Code>,
     /// What the unit test calls
     #[arg(long, value_name = "NAME", default_value = "render", value_parser = identifier)]
     function: String,
@@ -94,6 +104,9 @@ fn identifier(text: &str) -> Result<String, &'static str> {
 
 impl Identify {
     pub(crate) fn run(self) -> Result<Outcome, Failure> {
+        if let Some((name, method)) = self.kernel.method()? {
+            return self.stated(name, &method);
+        }
         if let Some(file) = &self.replay {
             let asked = replay::read(file)?;
             let mut kernel = self.kernel.started()?;
@@ -103,6 +116,11 @@ impl Identify {
         output.check()?;
         let second = self.against.as_deref();
         let second = second.map(|command| self.kernel.another(command));
+        if let Some(second) = &second
+            && let Some((name, _)) = second.method()?
+        {
+            return Err(stated::not_asked(&name, "--against"));
+        }
         let mut kernel = self.kernel.started()?;
         let examined = self.examine(kernel.as_mut(), &self.kernel)?;
         let other = match &second {
@@ -129,6 +147,12 @@ impl Identify {
         // The child is gone before the last word.
         drop(kernel);
         let test = self.unit_test(&examined)?;
+        let code = self.code.zip(examined.found.named());
+        let code = code.map(|(code, rule)| code.of(rule));
+        let output = Output {
+            quiet: self.quiet || code.is_some(),
+            ..output
+        };
         output.hand_out(
             &document(&examined, other.as_ref(), &about()),
             |directory| write(directory, &examined, other.as_ref(), &about()),
@@ -138,6 +162,9 @@ impl Identify {
             && output.prints_text()
         {
             super::write_out(&format!("\n{test}"))?;
+        }
+        if let Some(code) = code {
+            super::write_out(&code)?;
         }
         let differs = other.is_some_and(|other| !other.against.agree());
         Ok(if examined.verdict() == Verdict::Right && !differs {

@@ -75,6 +75,17 @@ impl KernelArguments {
         self.at_once()?.map_or_else(|| self.program(), Ok)
     }
 
+    /// The method and its name, where it is one of volver's own.
+    pub(super) fn method(&self) -> Result<Option<(String, Method)>, Failure> {
+        if !self.kernel().starts_with("method:") {
+            return Ok(None);
+        }
+        let kernel = self.started()?;
+        let declaration = kernel.declaration();
+        let method = declaration.method;
+        Ok(method.map(|method| (declaration.name.clone(), method)))
+    }
+
     /// Another kernel, by words with blanks between them, which is waited for as long.
     pub(super) fn another(&self, command: &str) -> Self {
         KernelArguments {

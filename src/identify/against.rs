@@ -193,7 +193,6 @@ fn ask_both(
             typical: 1.0,
             no_vacuum: fails(one) || fails(other),
             negative: false,
-            lean: false,
         },
     )?;
     found.unanswered = held.kinds.iter().map(|kind| kind.unanswered).sum();

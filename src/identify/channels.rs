@@ -44,7 +44,12 @@ pub(super) fn channels(
     let n = layers.count();
     let one = Emission::of(n, |_| random.within(0.1, 0.4));
     let ray = session.ray(&layers, &[one.clone(), one.clone(), one]);
-    let same = session.ask(&ray)?;
+    // Few rays go to what is more likely.
+    let same = if session.is_short() {
+        vec![0.0]
+    } else {
+        session.ask(&ray)?
+    };
     let spread = spread(&same);
     // Sums in another order differ by rounding.
     let rounding = 64.0 * f64::EPSILON + noise;
@@ -63,8 +68,8 @@ pub(super) fn channels(
         })
         .with_answers(&[three, turned]));
     }
-    let alone = constants(session, &[0.0, 0.25, 0.0])?;
-    if noise == 0.0 && !state.seed {
+    if !session.is_short() && noise == 0.0 && !state.seed {
+        let alone = constants(session, &[0.0, 0.25, 0.0])?;
         let dark = constants(session, &[0.0, 0.0, 0.0])?;
         if alone[0].to_bits() != dark[0].to_bits() || alone[2].to_bits() != dark[2].to_bits() {
             return Err(NotIdentified::new(

@@ -16,6 +16,12 @@ pub struct Deviation {
     pub value: Option<f64>,
     /// Between what the parameter lies, where that was measured.
     pub bracket: Option<(f64, f64)>,
+    /// Whether the parameter is a count, or an answer as it came, and needs no bracket.
+    pub exact: bool,
+    /// The probe that shows it.
+    pub probe: &'static str,
+    /// The kinds of rays on which the rule that it is a part of was seen to hold; none of what is no part of a rule.
+    pub validated: Vec<String>,
     /// What the kernel does, in words.
     pub does: String,
     /// What stands in its place in the other rule; `None` where nothing does.
@@ -106,7 +112,10 @@ pub fn deviations(rule: &Rule, other: &Rule, brackets: &[Bracket]) -> Vec<Deviat
         found.push(Deviation {
             name: stated.part.name(),
             value: stated.value,
-            bracket: bracket(stated.part, brackets),
+            bracket: stated.value.and_then(|_| bracket(stated.part, brackets)),
+            exact: stated.part.is_exact(),
+            probe: stated.part.probe(),
+            validated: Vec::new(),
             does: stated.words.clone(),
             instead_of: of(&wanted, stated.part).map(|wanted| wanted.words),
         });
@@ -117,6 +126,9 @@ pub fn deviations(rule: &Rule, other: &Rule, brackets: &[Bracket]) -> Vec<Deviat
                 name: stated.part.name(),
                 value: None,
                 bracket: None,
+                exact: false,
+                probe: stated.part.probe(),
+                validated: Vec::new(),
                 does: "plain".into(),
                 instead_of: Some(stated.words),
             });
@@ -140,19 +152,55 @@ fn bracket(part: Part, brackets: &[Bracket]) -> Option<(f64, f64)> {
         Part::Background => Parameter::Background,
         Part::Offset => Parameter::Offset,
         Part::Wall => Parameter::Wall,
+        Part::Weight => Parameter::Weight,
+        Part::Skip => Parameter::Skip,
+        Part::SkipExtinction => Parameter::SkipExtinction,
+        Part::OpacityClamp => Parameter::OpacityClamp,
+        Part::DepthClamp => Parameter::DepthClamp,
+        Part::ExtinctionClamp => Parameter::ExtinctionClamp,
+        Part::Uncorrected => Parameter::Uncorrected,
+        Part::Series => Parameter::Series,
+        Part::Table => Parameter::TableStep,
+        Part::OutputCurve => Parameter::Gamma,
+        Part::EmissionHigh => Parameter::EmissionHigh,
         _ => return None,
     };
     let found = brackets.iter().find(|b| b.parameter == parameter)?;
     Some((found.low, found.high))
 }
 
+/// Probes of state.
+const TWICE: &str = "the same ray asked again";
+const TOGETHER: &str = "several rays in one request";
+
+/// Deviations that no single ray shows: what answers depend on beside the question.
+const OF_STATE: [&str; 7] = [
+    "first-answer",
+    "previous-answer",
+    "noise",
+    "carried-transmittance",
+    "batch",
+    "answers-by-name",
+    "seed",
+];
+
+impl Deviation {
+    /// Whether one ray may show it.
+    pub(super) fn shows_on_one_ray(&self) -> bool {
+        !OF_STATE.contains(&self.name)
+    }
+}
+
 /// What of a kernel's answers depends on more than the question, and where there are none.
 #[must_use]
 pub fn misbehaviour(found: &Identification) -> Vec<Deviation> {
-    let plain = |name, does: &str| Deviation {
+    let plain = |name, probe, does: &str| Deviation {
         name,
         value: None,
         bracket: None,
+        exact: false,
+        probe,
+        validated: Vec::new(),
         does: does.into(),
         instead_of: None,
     };
@@ -164,10 +212,12 @@ pub fn misbehaviour(found: &Identification) -> Vec<Deviation> {
         None => {}
         Some(VacuumFails::Ray) => all.push(plain(
             "vacuum-ray",
+            "a ray that holds nothing",
             "a ray that holds nothing has no finite answer",
         )),
         Some(VacuumFails::Segment) => all.push(plain(
             "vacuum-segment",
+            "a ray with an empty segment",
             "a ray with an empty segment has no finite answer",
         )),
     }
@@ -176,42 +226,51 @@ pub fn misbehaviour(found: &Identification) -> Vec<Deviation> {
 
 fn of_state(
     state: &State,
-    plain: impl Fn(&'static str, &str) -> Deviation,
+    plain: impl Fn(&'static str, &'static str, &str) -> Deviation,
 ) -> impl Iterator<Item = Deviation> {
     let repeat = match state.repeat {
         Repeat::Same => None,
         Repeat::FirstDiffers => Some(plain(
             "first-answer",
+            TWICE,
             "the first answer of all is another one",
         )),
         Repeat::Previous => Some(plain(
             "previous-answer",
+            TWICE,
             "an answer is that to the question before",
         )),
         Repeat::Differs(part) => Some(Deviation {
             value: Some(part),
-            ..plain("noise", "answers to the same question differ")
+            ..plain("noise", TWICE, "answers to the same question differ")
         }),
     };
     let batch = match state.batch {
         Batch::Same => None,
         Batch::Carried => Some(plain(
             "carried-transmittance",
+            TOGETHER,
             "a ray goes on with the transmittance of the one before in its request",
         )),
         Batch::Differs => Some(plain(
             "batch",
+            TOGETHER,
             "an answer depends on the other rays of its request",
         )),
     };
     let name = state.name.then(|| {
         plain(
             "answers-by-name",
+            "other data under the same name",
             "another ray of the same name has the first one's answer",
         )
     });
-    let seed = state
-        .seed
-        .then(|| plain("seed", "answers depend on the seed"));
+    let seed = state.seed.then(|| {
+        plain(
+            "seed",
+            "the same ray with another seed",
+            "answers depend on the seed",
+        )
+    });
     [repeat, batch, name, seed].into_iter().flatten()
 }

@@ -1,10 +1,12 @@
 //! A kernel from all sides: what it computes, in what that deviates from what it is to be, and a ray that shows it.
 
 use super::deviation::{Deviation, deviations, misbehaviour};
-use super::promised::{misplaced, promised};
+use super::expected::expected;
+use super::opacity_answered::{self, OpacityAnswered};
+use super::rule::Rule;
 use super::session::{Budget, Spent};
 use super::witness::{Witness, witness};
-use super::{Identification, NotIdentified, identify};
+use super::{Identification, NotIdentified, covered, identify, volume};
 use crate::kernel::{Declaration, Kernel};
 
 /// What was found out about a kernel, and what that means.
@@ -18,6 +20,8 @@ pub struct Examined {
     pub deviations: Vec<Deviation>,
     /// The smallest ray that shows it.
     pub witness: Option<Witness>,
+    /// A ray whose opacity is answered otherwise than 1 − T.
+    pub opacity: Option<OpacityAnswered>,
     /// Rays asked for the witness.
     pub searched: Spent,
 }
@@ -53,8 +57,8 @@ impl Examined {
     pub(crate) fn withdraw(&mut self, reason: &str) {
         self.found.rule = None;
         self.found.not_identified.push(NotIdentified::new(reason));
-        self.deviations = behaviour(&self.found, &self.declaration);
-        self.witness = None;
+        self.deviations = all_deviations(&self.found, &[], &self.declaration, None);
+        (self.witness, self.opacity) = (None, None);
     }
 
     /// What it comes to.
@@ -65,7 +69,7 @@ impl Examined {
             Verdict::NoAnswer
         } else if !self.deviations.is_empty() {
             Verdict::Deviates
-        } else if self.found.named().is_some() {
+        } else if self.found.named().is_some() || self.found.scattered.is_some() {
             Verdict::Right
         } else {
             Verdict::NotIdentified
@@ -77,28 +81,39 @@ impl Examined {
 pub fn examine(kernel: &mut dyn Kernel, budget: Budget, heard: &mut dyn FnMut(&Spent)) -> Examined {
     let declaration = kernel.declaration().clone();
     let found = identify(kernel, budget, heard);
-    let rules = promised(&found, &declaration);
-    let mut all = Vec::new();
-    if let (Some(rule), Some(right)) = (found.named(), rules.first()) {
-        all.extend(misplaced(&found, rule, &declaration));
-        all.extend(deviations(rule, right, &found.brackets));
-    }
-    all.extend(behaviour(&found, &declaration));
+    let rules = expected(&found, &declaration);
+    let opacity = match found.named() {
+        Some(rule) if found.hold_out.opacity.agree < found.hold_out.opacity.answered => {
+            opacity_answered::smallest(kernel, rule, &found, budget, heard)
+        }
+        _ => None,
+    };
+    let all = all_deviations(&found, &rules, &declaration, opacity.as_ref());
     let mut examined = Examined {
         declaration,
         found,
         deviations: all,
         witness: None,
+        opacity,
         searched: Spent::default(),
     };
-    let wanted = matches!(
-        examined.verdict(),
-        Verdict::Deviates | Verdict::NotIdentified
-    );
-    // Of answers that scatter none shows anything.
-    if wanted && !examined.declaration.stochastic {
-        let misses = &examined.found.hold_out.misses;
-        let from = misses.first().map(|miss| miss.ray.clone());
+    // A right radiance beside another opacity is shown already.
+    let mut of_radiance = examined.deviations.iter();
+    let wanted = match examined.verdict() {
+        Verdict::Deviates => {
+            of_radiance.any(|d| d.name != opacity_answered::NAME && d.shows_on_one_ray())
+        }
+        Verdict::NotIdentified => true,
+        Verdict::Right | Verdict::NoAnswer => false,
+    };
+    // Of answers that scatter none shows anything, but where only places are drawn.
+    let state = examined.found.state.as_ref();
+    let scatters = examined.declaration.stochastic || state.is_some_and(|state| state.seed);
+    if wanted && (!scatters || examined.found.scattered.is_some()) {
+        let misses = examined.found.hold_out.misses.iter();
+        let from = misses
+            .min_by_key(|miss| miss.ray.segments.count())
+            .map(|miss| miss.ray.clone());
         let mut searched = Spent::default();
         let mut hear = |spent: &Spent| {
             searched = *spent;
@@ -117,10 +132,32 @@ pub fn examine(kernel: &mut dyn Kernel, budget: Budget, heard: &mut dyn FnMut(&S
     examined
 }
 
-/// What answers depend on beside rays, but for what is declared.
-fn behaviour(found: &Identification, declaration: &Declaration) -> Vec<Deviation> {
+/// In what a kernel deviates, part by part.
+fn all_deviations(
+    found: &Identification,
+    rules: &[Rule],
+    declaration: &Declaration,
+    opacity: Option<&OpacityAnswered>,
+) -> Vec<Deviation> {
+    let mut all = Vec::new();
+    if let (Some(rule), Some(right)) = (found.named(), rules.first()) {
+        all.extend(deviations(rule, right, &found.brackets));
+        all.extend(rule.lattice.iter().flat_map(covered::deviations));
+        all.extend(found.optics.iter().flat_map(volume::deviations));
+        all.extend(opacity_answered::deviation(
+            &found.hold_out.opacity,
+            opacity,
+        ));
+    }
+    let kinds = found.hold_out.kinds.iter().filter(|kind| kind.holds());
+    let kinds: Vec<String> = kinds.map(|kind| kind.name.clone()).collect();
+    for deviation in &mut all {
+        deviation.validated.clone_from(&kinds);
+    }
+    if let Some(scattered) = &found.scattered {
+        all.extend(scattered.deviations(found));
+    }
     let excused = |deviation: &Deviation| declaration.stochastic && deviation.name == "seed";
-    let mut all = misbehaviour(found);
-    all.retain(|deviation| !excused(deviation));
+    all.extend(misbehaviour(found).into_iter().filter(|d| !excused(d)));
     all
 }

@@ -70,9 +70,12 @@ impl HoldOut {
     /// Whether it holds on every kind.
     #[must_use]
     pub fn is_whole(&self) -> bool {
-        !self.kinds.is_empty() && self.kinds.iter().all(Kind::holds)
+        self.kinds.len() >= FEWEST && self.kinds.iter().all(Kind::holds)
     }
 }
+
+/// A rule that holds on fewer kinds than this is not known to hold.
+const FEWEST: usize = 4;
 
 /// The depth of a segment that is a wall.
 const WALL: f64 = 1e5;
@@ -230,13 +233,6 @@ const MAKES: [Make; 24] = [
         ..USUAL
     },
     Make {
-        name: "of many segments",
-        segments: [41, 64],
-        whole: 0,
-        partial: 1,
-        ..USUAL
-    },
-    Make {
         name: "with next to nothing as a last step",
         what: What::ShortLast,
         whole: 0,
@@ -292,6 +288,14 @@ const MAKES: [Make; 24] = [
         partial: 0,
         ..USUAL
     },
+    Make {
+        name: "of many segments",
+        // After a longer ray: what is left of that one shows.
+        segments: [65, 119],
+        whole: 0,
+        partial: 1,
+        ..USUAL
+    },
     // Different rays of one name and one number of segments: what is remembered by these shows.
     Make {
         name: "of one name",
@@ -305,7 +309,18 @@ const MAKES: [Make; 24] = [
 ];
 
 /// The optical depth of thick rays.
-const SLOPE: f64 = 40.0;
+pub(super) const SLOPE: f64 = 40.0;
+
+/// The kinds for which there are rays where there are few.
+const CORE: [&str; 7] = [
+    "smooth",
+    "of very many segments",
+    "thick",
+    "empty at an end",
+    "of one segment",
+    "with next to nothing as a last step",
+    "glaring",
+];
 
 /// What is held out, beside the rule.
 #[derive(Clone, Copy, Debug)]
@@ -317,7 +332,6 @@ pub(super) struct Terms<'a> {
     pub(super) no_vacuum: bool,
     /// It takes negative emissions.
     pub(super) negative: bool,
-    pub(super) lean: bool,
 }
 
 /// Asks rays of all kinds.
@@ -332,7 +346,7 @@ pub(super) fn hold_out(
         let has_gaps = matches!(make.what, What::Gaps | What::EmptyEnd | What::OneName);
         if (has_gaps && terms.no_vacuum)
             || (make.what == What::Negative && !terms.negative)
-            || (terms.lean && make.segments[0] > 1_000)
+            || (session.is_short() && !CORE.contains(&make.name))
             // Quadratures inside segments have their own end.
             || (make.what == What::Opaque(WALL) && matches!(rule.scheme, Scheme::Segments { .. }))
         {
@@ -344,7 +358,11 @@ pub(super) fn hold_out(
             [(false, make.whole), (true, make.partial)]
         };
         for (partial, rays) in counts {
-            let rays = if terms.lean { rays.min(1) } else { rays };
+            let rays = if session.is_short() {
+                rays.min(1)
+            } else {
+                rays
+            };
             if rays == 0 {
                 continue;
             }
@@ -381,6 +399,8 @@ pub(super) fn hold_out(
                             );
                         }
                     }
+                    // What was asked until then counts.
+                    Err(Silence::Budget(_)) if out.kinds.len() >= FEWEST => return Ok(out),
                     Err(Silence::Budget(spent)) => return Err(Silence::Budget(spent)),
                     Err(_) => kind.unanswered += 1,
                 }
@@ -575,19 +595,20 @@ fn wave(random: &mut Random) -> impl Fn(f64) -> f64 + use<> {
     move |part| 1.0 + 0.9 * (phase + std::f64::consts::TAU * periods * part).sin()
 }
 
-/// Compares the opacity that came with an answer with 1 − T.
+/// Compares the opacity that came with an answer with 1 − T, which it returns.
 pub(super) fn check_opacity(
     rule: &Rule,
     answers: &Answers,
     (segments, step): (&Segments, f64),
     got: f64,
     check: &mut OpacityCheck,
-) {
+) -> f64 {
     let composed = rule.composed(segments, step, Native::<f64>::new());
     let n = segments.count() as f64;
     let quantum = rule.output.quantum.unwrap_or(0.0);
     let allowed = answers.unit * (64.0 + 8.0 * n) + answers.noise + quantum;
-    let off = (got - (1.0 - composed.passes)).abs();
+    let want = 1.0 - composed.passes;
+    let off = (got - want).abs();
     check.answered += 1;
     check.agree += usize::from(off <= allowed);
     // A difference that is no number is no small one.
@@ -596,6 +617,7 @@ pub(super) fn check_opacity(
     } else {
         f64::INFINITY
     };
+    want
 }
 
 /// Compares the answers to a ray with the rule's.

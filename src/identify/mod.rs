@@ -7,10 +7,12 @@
 
 mod against;
 mod channels;
+mod covered;
 mod curves;
 mod deviation;
 mod ends;
 mod examined;
+mod expected;
 mod finding;
 mod free_places;
 mod holdout;
@@ -18,11 +20,11 @@ mod influence;
 mod least_squares;
 mod number;
 mod opacity;
+mod opacity_answered;
 mod output;
 mod part;
 mod places;
 mod pose;
-mod promised;
 mod random;
 mod ray;
 pub mod rule;
@@ -41,6 +43,7 @@ pub use deviation::{Deviation, deviations, misbehaviour, right_of};
 pub use examined::{Examined, Verdict, examine};
 pub use finding::NotIdentified;
 pub use holdout::{HoldOut, Kind, Miss};
+pub use opacity_answered::OpacityAnswered;
 pub use part::{Part, Stated, parts};
 pub use ray::Ray;
 pub use rule::Rule;
@@ -133,6 +136,16 @@ pub struct Bracket {
     pub high: f64,
 }
 
+impl Bracket {
+    fn of(parameter: Parameter, (low, high): (f64, f64)) -> Self {
+        Bracket {
+            parameter,
+            low,
+            high,
+        }
+    }
+}
+
 /// A parameter of a rule.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Parameter {
@@ -150,6 +163,28 @@ pub enum Parameter {
     Offset,
     /// The wall's length.
     Wall,
+    /// The factor of the weight's own depth.
+    Weight,
+    /// The opacity under which a sample counts for nothing.
+    Skip,
+    /// The extinction under which it does.
+    SkipExtinction,
+    /// The largest opacity.
+    OpacityClamp,
+    /// The largest depth of a segment.
+    DepthClamp,
+    /// The largest extinction.
+    ExtinctionClamp,
+    /// The largest opacity that is not corrected for the step.
+    Uncorrected,
+    /// The depth below which a series is taken.
+    Series,
+    /// The step of a table of opacities.
+    TableStep,
+    /// The exponent of the answers.
+    Gamma,
+    /// The largest emission that counts as it is.
+    EmissionHigh,
 }
 
 /// Reads off what a kernel computes; `heard` hears of every ray.
@@ -193,7 +228,6 @@ pub fn held_out(
         typical: factor.recip(),
         no_vacuum: false,
         negative: true,
-        lean: false,
     };
     holdout::hold_out(&mut session, rule, &terms)
 }
@@ -207,7 +241,7 @@ struct Sampled {
 }
 
 fn run(session: &mut Session<'_>, found: &mut Identification) -> Result<(), NotIdentified> {
-    let lean = false;
+    let lean = session.is_narrow() || session.is_short();
     let (state, noise) = state::state(session)?;
     found.parts.noise = noise;
     found.state = Some(state.clone());
@@ -217,6 +251,7 @@ fn run(session: &mut Session<'_>, found: &mut Identification) -> Result<(), NotI
     found.parts.channels = Some(channels);
     let mapped = output::output(session, &state, noise)?;
     let answers = mapped.answers.clone();
+    found.brackets.clone_from(&mapped.brackets);
     found.parts.output = Some(answers.output);
     found.parts.unit = Some(answers.unit);
     found.parts.noise = answers.noise;
@@ -270,7 +305,6 @@ fn run(session: &mut Session<'_>, found: &mut Identification) -> Result<(), NotI
         typical: sampled.typical,
         no_vacuum: fails.part_fails,
         negative: mapped.takes_negative,
-        lean,
     };
     // What was found out is tried on rays that know nothing of it.
     (session.pose, session.divides) = (poses, divides);
@@ -351,15 +385,14 @@ fn one_sample(
     let fitted = opacity::law(session, measurer, &measured, vacuum.eps)?;
     let law: Law = fitted.law;
     let brackets = &mut found.brackets;
-    let mut keep = |parameter, (low, high): (f64, f64)| {
-        brackets.push(Bracket {
-            parameter,
-            low,
-            high,
-        });
+    let mut keep = |parameter, bracket: (f64, f64)| {
+        brackets.push(Bracket::of(parameter, bracket));
     };
     keep(Parameter::Factor, fitted.factor);
     keep(Parameter::Scale, fitted.scale);
+    for bracket in &fitted.brackets {
+        keep(bracket.parameter, (bracket.low, bracket.high));
+    }
     if vacuum.eps != 0.0 {
         keep(Parameter::Eps, vacuum.bracket);
     }

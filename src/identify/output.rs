@@ -1,6 +1,5 @@
 //! The map from radiance to answer, by emissions of many sizes that are the same everywhere.
 
-use super::NotIdentified;
 use super::channels::{constants, even};
 use super::number::simplest_near;
 use super::random::Random;
@@ -9,6 +8,7 @@ use super::rule::{Curve, Output};
 use super::session::Session;
 use super::state::State;
 use super::weights::Answers;
+use super::{Bracket, NotIdentified, Parameter};
 
 /// What the answers to constant emissions say.
 #[derive(Clone, Debug)]
@@ -18,8 +18,8 @@ pub(super) struct Mapped {
     pub(super) emission_max: Option<f64>,
     /// The smallest one.
     pub(super) emission_min: Option<f64>,
-    /// The curve's parameter lies within this part of it.
-    pub(super) within: f64,
+    /// Between what the parameters of curve and cut lie.
+    pub(super) brackets: Vec<Bracket>,
     /// Negative emissions have answers.
     pub(super) takes_negative: bool,
 }
@@ -58,7 +58,12 @@ pub(super) fn output(
     state: &State,
     noise: f64,
 ) -> Result<Mapped, NotIdentified> {
-    let sizes = sizes();
+    let mut sizes = sizes();
+    if session.is_narrow() {
+        // 0 is the first before they are mixed.
+        sizes.sort_by(f64::total_cmp);
+        sizes = sizes.into_iter().step_by(3).collect();
+    }
     let many = constants(session, &sizes)?;
     let mut pairs: Vec<(f64, f64)> = sizes.iter().copied().zip(many).collect();
     pairs.sort_by(|u, v| u.0.total_cmp(&v.0));
@@ -88,7 +93,7 @@ pub(super) fn output(
         answers,
         emission_max: None,
         emission_min: None,
-        within: 0.0,
+        brackets: Vec::new(),
         takes_negative: negative.is_some(),
     };
     let mut curved = Curved { c, y };
@@ -117,7 +122,12 @@ fn emission_cut(mapped: &mut Mapped, curved: &Curved, top: f64) {
     let gain = (far.value - zero.value) / curved.c[last];
     let part = far.error / far.value.abs() + most.error / most.value.abs();
     let within = part + 64.0 * answers.unit + 2.0 * answers.noise;
-    let cut = simplest_near((most.value - zero.value) / gain, within);
+    let cut = (most.value - zero.value) / gain;
+    let bracket = (cut * (1.0 - within), cut * (1.0 + within));
+    mapped
+        .brackets
+        .push(Bracket::of(Parameter::EmissionHigh, bracket));
+    let cut = simplest_near(cut, within);
     mapped.emission_max = Some(cut);
     answers.emission_max = cut;
 }
@@ -227,7 +237,8 @@ fn curve(mapped: &mut Mapped, curved: &Curved, state: &State) -> Result<(), NotI
     }
     if let Some((power, within)) = power(answers, curved) {
         answers.output.curve = Curve::Gamma(power);
-        mapped.within = within;
+        let bracket = (power * (1.0 - within), power * (1.0 + within));
+        mapped.brackets.push(Bracket::of(Parameter::Gamma, bracket));
         return Ok(());
     }
     Err(NotIdentified::new(
@@ -337,7 +348,7 @@ fn power(answers: &Answers, curved: &Curved) -> Option<(f64, f64)> {
 }
 
 /// The largest 1/(2^b − 1) or 2^(−b), 4 ≤ b ≤ 16, that all answers are multiples of.
-fn quantum(answers: &[f64]) -> Option<f64> {
+pub(super) fn quantum(answers: &[f64]) -> Option<f64> {
     let mut sizes: Vec<f64> = answers
         .iter()
         .map(|y| y.abs())
@@ -370,7 +381,7 @@ fn gcd(a: f64, b: f64) -> f64 {
 }
 
 /// 2^(−p) of the narrowest format that holds all answers.
-fn unit(answers: &[f64]) -> f64 {
+pub(super) fn unit(answers: &[f64]) -> f64 {
     for bits in [8, 11, 24] {
         let holds = |y: &f64| {
             let rounded = rug::Float::with_val(bits, *y).to_f64();

@@ -148,6 +148,68 @@ impl Part {
             Part::Channels => "channels",
         }
     }
+
+    /// Whether its parameter is a count, or an answer as it came: known to the last digit.
+    #[must_use]
+    pub fn is_exact(self) -> bool {
+        matches!(
+            self,
+            Part::LengthBits
+                | Part::OpacityQuantum
+                | Part::Unrolled
+                | Part::MostSamples
+                | Part::ClipHigh
+                | Part::ClipLow
+                | Part::EmissionLow
+                | Part::Quantum
+        )
+    }
+
+    /// The probe that shows it.
+    #[must_use]
+    pub fn probe(self) -> &'static str {
+        match self {
+            Part::Place | Part::Swapped | Part::First | Part::Last | Part::Extra => {
+                "emission in one node alone"
+            }
+            Part::Late => "an extinction raised in one segment alone",
+            Part::SegmentWeights | Part::SegmentDepth => "weights of all nodes of a segment",
+            Part::DepthFactor
+            | Part::DepthPowers
+            | Part::OpacityLaw
+            | Part::Weight
+            | Part::Scale
+            | Part::Cover
+            | Part::LengthBits
+            | Part::DepthClamp
+            | Part::ExtinctionClamp
+            | Part::OpacityClamp
+            | Part::Skip
+            | Part::SkipExtinction
+            | Part::Uncorrected
+            | Part::Series
+            | Part::OpacityQuantum
+            | Part::Table => "segments between references",
+            Part::Eps => "empty segments between references",
+            Part::Unrolled => "rays of 1 to 17 segments, lit one by one",
+            Part::MostSamples => "light from segment m on",
+            Part::LastStep => "rays with a shorter last segment",
+            Part::EarlyEnd | Part::EarlyEndSample | Part::Renormalised => {
+                "light behind segments of growing depth"
+            }
+            Part::Wall => "a last segment that holds next to nothing",
+            Part::Whole => "an even ray lit in one node alone",
+            Part::EmissionCurve
+            | Part::EmissionHigh
+            | Part::EmissionLow
+            | Part::OutputCurve
+            | Part::ClipHigh
+            | Part::ClipLow
+            | Part::Quantum => "rays of constant emission",
+            Part::Background | Part::Offset => "rays without emission",
+            Part::Channels => "channels of different emission",
+        }
+    }
 }
 
 /// What a rule says of a part.
@@ -190,7 +252,7 @@ impl Said {
 }
 
 /// Where one sample a segment lies.
-pub(super) fn of_place(place: Place) -> &'static str {
+fn of_place(place: Place) -> &'static str {
     match place {
         Place::Front => "samples lie at the front of segments",
         Place::Middle => "samples lie in the middle of segments",
@@ -253,10 +315,14 @@ fn of_law(said: &mut Said, law: &Law) {
         );
     }
     if law.weight != Weight::default() {
-        said.words(
-            Part::Weight,
-            format!("the emission is multiplied by {}", weight(law.weight)),
-        );
+        said.0.push(Stated {
+            part: Part::Weight,
+            value: match law.weight {
+                Weight::Own { depth, .. } if is_other(depth.factor, 1.0) => Some(depth.factor),
+                _ => None,
+            },
+            words: format!("the emission is multiplied by {}", weight(law.weight)),
+        });
     }
     if is_other(law.scale.0, 1.0) {
         said.value(Part::Scale, law.scale.0, |x| {
@@ -460,10 +526,14 @@ fn of_answers(said: &mut Said, rule: &Rule) {
         });
     }
     if let Some(of) = curve(rule.output.curve) {
-        said.words(
-            Part::OutputCurve,
-            format!("the answer to a radiance of x is {of}"),
-        );
+        said.0.push(Stated {
+            part: Part::OutputCurve,
+            value: match rule.output.curve {
+                Curve::Gamma(power) => Some(power),
+                _ => None,
+            },
+            words: format!("the answer to a radiance of x is {of}"),
+        });
     }
     said.bound(Part::ClipLow, rule.output.low, |x| {
         format!("no answer is under {x}")

@@ -1,14 +1,14 @@
 //! Samples whose places are drawn at random: their law over even media, where each seed's sample lies, means held out.
 
-use super::NotIdentified;
+use super::deviation::{Deviation, deviations, right_of};
 use super::opacity::fit::{Fitted, laws};
 use super::opacity::measure::Point;
-use super::part::{Part, parts};
 use super::random::Random;
 use super::ray::{Emission, Layers};
 use super::rule::{Law, Place, Rule, Scheme};
 use super::session::Session;
 use super::weights::{Answers, Measured};
+use super::{Identification, NotIdentified};
 use std::fmt;
 
 /// A kernel that samples each segment somewhere.
@@ -24,13 +24,9 @@ pub struct Scattered {
     pub farthest: f64,
 }
 
+/// The law on the values where a sample lies, and how its place is drawn.
 impl fmt::Display for Scattered {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.write_str(if self.one_shift {
-            "samples at the same random part of all segments of a ray"
-        } else {
-            "one sample at a random place of each segment"
-        })?;
         let rule = Rule {
             scheme: Scheme::Sample {
                 place: Place::Middle,
@@ -38,18 +34,39 @@ impl fmt::Display for Scattered {
             },
             ..Rule::default()
         };
-        let parts = parts(&rule).into_iter();
-        let parts: Vec<String> = parts
-            .filter(|stated| stated.part != Part::Place)
-            .map(|stated| stated.words)
-            .collect();
-        if parts.is_empty() {
-            f.write_str(", α = 1 − exp(−τ d)")
+        let drawn = if self.one_shift {
+            "samples at one part of all segments of a ray, drawn evenly by the seed"
         } else {
-            write!(f, "; {}", parts.join("; "))
-        }
+            "samples somewhere in their segments, each drawn evenly by the seed"
+        };
+        f.write_str(&rule.to_string().replace(MIDDLE, drawn))
     }
 }
+
+impl Scattered {
+    /// In what it deviates from samples whose opacity is 1 − e^(−τ d).
+    pub(super) fn deviations(&self, found: &Identification) -> Vec<Deviation> {
+        let scheme = Scheme::Sample {
+            place: Place::Middle,
+            law: self.law.clone(),
+        };
+        let rule = Rule {
+            scheme,
+            output: found.parts.output.unwrap_or_default(),
+            channels: found.parts.channels.unwrap_or_default(),
+            ..Rule::default()
+        };
+        let all = deviations(&rule, &right_of(&rule), &found.brackets);
+        let of_even = |deviation: Deviation| Deviation {
+            probe: "even rays of one and two segments, and means over seeds",
+            ..deviation
+        };
+        all.into_iter().map(of_even).collect()
+    }
+}
+
+/// What a rule of samples in the middle says of their places.
+const MIDDLE: &str = "samples in the middle of segments";
 
 /// Seeds whose places are looked at.
 const PLACES: u64 = 48;

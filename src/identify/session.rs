@@ -69,6 +69,8 @@ pub enum Silence {
     },
 }
 
+/// Fewer rays than this are for the first questions only.
+const SHORT: u64 = 70;
 /// Channels that every renderer takes.
 const FEW: usize = 3;
 
@@ -124,6 +126,16 @@ impl<'k> Session<'k> {
             names: 0,
             heard,
         }
+    }
+
+    /// Whether a ray tells of few nodes, so that many are dear.
+    pub(super) fn is_narrow(&self) -> bool {
+        self.budget.channels <= 2 * FEW
+    }
+
+    /// Whether there are too few rays for all questions.
+    pub(super) fn is_short(&self) -> bool {
+        self.budget.rays < SHORT
     }
 
     /// No ray gets more channels than that any more; whether it got more before.

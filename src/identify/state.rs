@@ -123,7 +123,12 @@ pub(super) fn state(session: &mut Session<'_>) -> Result<(State, f64), NotIdenti
     }
     state.seed = noise == 0.0 && !same(3, 4);
     state.name = noise == 0.0 && same(5, 4) && !same(5, 1);
-    if noise == 0.0 && !state.seed && !state.name && state.repeat == Repeat::Same {
+    if !session.is_short()
+        && noise == 0.0
+        && !state.seed
+        && !state.name
+        && state.repeat == Repeat::Same
+    {
         state.batch = batch(session, &a, &b, [&y[0], &y[1]])?;
     }
     Ok((state, noise))

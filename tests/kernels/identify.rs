@@ -5,6 +5,7 @@ mod command;
 mod composed;
 mod compositions;
 mod deviation;
+mod examined;
 mod forms;
 mod linear;
 mod pairs;

@@ -12,7 +12,7 @@ use crate::identify::weights::weights;
 /// Numbers of segments whose samples are counted.
 const SMALL: [usize; 5] = [1, 3, 5, 13, 17];
 /// Where loops have fewer questions to spend.
-const LEAN: [usize; 3] = [1, 7, 13];
+const LEAN: [usize; 2] = [7, 13];
 /// Groups that loops are unrolled by.
 const GROUPS: [u64; 7] = [2, 4, 8, 16, 3, 5, 7];
 /// Segments of a long ray.

@@ -4,6 +4,7 @@ use super::measure::Point;
 use crate::identify::number::simplest;
 use crate::identify::rule::{Depth, Law, Power, Scale, Shape, Weight};
 use crate::identify::weights::{Answers, Measured};
+use crate::identify::{Bracket, Parameter};
 
 /// A law, and the parameters' brackets.
 #[derive(Clone, Debug)]
@@ -13,6 +14,8 @@ pub(in crate::identify) struct Fitted {
     pub(in crate::identify) factor: (f64, f64),
     /// Of the scale.
     pub(in crate::identify) scale: (f64, f64),
+    /// Of what else was bisected.
+    pub(in crate::identify) brackets: Vec<Bracket>,
     /// The part of the points that have it.
     pub(in crate::identify) share: f64,
     /// The relative precision that it is followed to, where that is coarser than rounding.
@@ -188,10 +191,13 @@ pub(in crate::identify) fn laws(points: &[Point], eps: f64, answers: &Answers) -
                 ..base.clone()
             };
             let share = share(&law, points, answers);
+            let is_own = matches!(weight, Weight::Own { .. });
+            let own = is_own.then(|| Bracket::of(Parameter::Weight, of_scale));
             all.push(Fitted {
                 law,
                 factor: bracket,
-                scale: of_scale,
+                scale: if is_own { (1.0, 1.0) } else { of_scale },
+                brackets: own.into_iter().collect(),
                 share,
                 grain: 0.0,
             });
@@ -275,7 +281,7 @@ fn passing(points: &[Point], eps: f64, known: Known) -> Vec<(Shape, Depth, (f64,
     found.into_iter().map(|(_, s, d, b)| (s, d, b)).collect()
 }
 
-/// Weights with their scale and its bracket.
+/// Weights with their scale and its bracket; that of the own depth's factor where a weight has one.
 fn weighing(base: &Law, points: &[Point], known: Known) -> Vec<(Weight, f64, (f64, f64))> {
     let mut forms: Vec<Weight> = Vec::new();
     let of = |halves: i8| Power { halves };
@@ -352,7 +358,7 @@ fn weighing(base: &Law, points: &[Point], known: Known) -> Vec<(Weight, f64, (f6
             if common.count >= FEWEST_POINTS {
                 let (low, high) = (common.value - common.error, common.value + common.error);
                 let depth = depth_with(powers, simplest(low, high));
-                found.push((common.count, Weight::Own { depth, shape }, 1.0, (1.0, 1.0)));
+                found.push((common.count, Weight::Own { depth, shape }, 1.0, (low, high)));
             }
         }
     }

@@ -3,7 +3,7 @@
 use crate::identify::NotIdentified;
 use crate::identify::influence::layers_at;
 use crate::identify::places::Samples;
-use crate::identify::rule::{End, Place, Whole};
+use crate::identify::rule::{End, Node, Place, Whole};
 use crate::identify::session::Session;
 use crate::identify::weights::{Answers, Measured, nodes_of, weights};
 
@@ -44,12 +44,24 @@ const LEAD: usize = 6;
 const TAIL: usize = 3;
 
 impl Measurer<'_> {
-    /// The weights of the n samples in the order in which the kernel takes them, and the answer without emission.
+    /// The weights of the n samples in the order in which the kernel takes them.
     pub(in crate::identify) fn weights(
         &self,
         session: &mut Session<'_>,
         taus: &[f64],
         length: f64,
+    ) -> Result<Vec<Measured>, NotIdentified> {
+        self.weights_of(session, taus, length, &|_| true)
+    }
+
+    /// The same of those samples alone that are `wanted`, by their place in that order, where each costs a channel; the
+    /// others are not known.
+    pub(in crate::identify) fn weights_of(
+        &self,
+        session: &mut Session<'_>,
+        taus: &[f64],
+        length: f64,
+        wanted: &dyn Fn(usize) -> bool,
     ) -> Result<Vec<Measured>, NotIdentified> {
         let n = taus.len();
         let place = self.samples.place;
@@ -60,18 +72,35 @@ impl Measurer<'_> {
             along.reverse();
         }
         let layers = layers_at(place, length, &along, &along);
-        let nodes = nodes_of(place, n, extra);
-        let found = weights(session, self.answers, &layers, &nodes, &[])?;
-        let mut of = found.of;
+        let mut nodes = nodes_of(place, n, extra);
         if extra {
             if place == Place::Back {
-                of.remove(0);
+                nodes.remove(0);
             } else {
-                of.truncate(n);
+                nodes.truncate(n);
             }
         }
-        if swapped {
-            of.reverse();
+        let places: Vec<usize> = if swapped {
+            (0..n).rev().collect()
+        } else {
+            (0..n).collect()
+        };
+        let is_asked = |k: &usize| !session.is_narrow() || wanted(*k);
+        let asked: Vec<(usize, Node)> = places
+            .iter()
+            .zip(nodes)
+            .filter(|(k, _)| is_asked(k))
+            .map(|(k, node)| (*k, node))
+            .collect();
+        let nodes: Vec<Node> = asked.iter().map(|(_, node)| *node).collect();
+        let found = weights(session, self.answers, &layers, &nodes, &[])?;
+        let unknown = Measured {
+            value: f64::NAN,
+            error: f64::INFINITY,
+        };
+        let mut of = vec![unknown; n];
+        for ((k, _), w) in asked.iter().zip(&found.of) {
+            of[*k] = *w;
         }
         // What stands beside much that is no emission's is known no better.
         let beside = 16.0 * self.answers.unit * found.zero.value.abs();
@@ -118,7 +147,7 @@ impl Measurer<'_> {
         let mut before: Option<(f64, f64)> = None;
         for _ in 0..10 {
             let n = self.suitable(session, 9);
-            let w = self.weights(session, &vec![extinction; n], length)?;
+            let w = self.weights_of(session, &vec![extinction; n], length, &|k| k < 4)?;
             found.extinction = extinction;
             found.own = self.own(&w, n);
             let got = if w[2].value > 0.0 && w[3].value > 0.0 {
@@ -181,7 +210,13 @@ impl Measurer<'_> {
         for (place, tau) in at.iter().zip(extinctions) {
             taus[*place] = *tau;
         }
-        let mut w = self.weights(session, &taus, reference.length)?;
+        // Each extinction, the references before and behind, and a few more pairs of neighbours.
+        let tells = |k: usize| {
+            let block = at.iter().any(|at| k == *at || k + 1 == *at || k == at + 2);
+            let pair = at.iter().take(2).any(|at| k == at + 1);
+            block || pair || k + 2 == lead || k + 1 == lead
+        };
+        let mut w = self.weights_of(session, &taus, reference.length, &tells)?;
         self.add_rounding(&mut w, &at);
         let ratio = |k: usize, by: usize| {
             let (one, other) = (w[k], w[by]);

@@ -3,10 +3,10 @@
 use super::Measurements;
 use super::fit::{Fitted, has};
 use super::measure::{Measurer, Point};
-use crate::identify::NotIdentified;
 use crate::identify::number::simplest;
 use crate::identify::rule::{Formula, Law, Series, Shape};
 use crate::identify::session::Session;
+use crate::identify::{self, NotIdentified, Parameter};
 
 /// Lengths at which borders are looked for: both must say the same.
 const LENGTHS: [f64; 2] = [1.0, 0.25];
@@ -27,6 +27,7 @@ pub(super) fn with_range(
         session,
         measurer,
         measured,
+        brackets: Vec::new(),
     };
     for explain in [
         Search::skipped,
@@ -44,6 +45,7 @@ pub(super) fn with_range(
     }
     if search.wrong(&found.law).is_empty() {
         found.share = 1.0;
+        found.brackets.append(&mut search.brackets);
         return Ok(found);
     }
     let rows = search.wrong(&found.law);
@@ -77,6 +79,8 @@ struct Search<'s, 'k, 'm> {
     session: &'s mut Session<'k>,
     measurer: &'m Measurer<'m>,
     measured: &'m Measurements,
+    /// Of what was bisected.
+    brackets: Vec<identify::Bracket>,
 }
 
 /// Two numbers between which a border lies.
@@ -89,6 +93,11 @@ fn overlap(one: Bracket, other: Bracket) -> Option<Bracket> {
 }
 
 impl Search<'_, '_, '_> {
+    fn keep(&mut self, parameter: Parameter, bracket: Bracket) {
+        self.brackets
+            .push(identify::Bracket::of(parameter, bracket));
+    }
+
     /// The points that do not have the law.
     fn wrong(&self, law: &Law) -> Vec<Point> {
         let answers = self.measurer.answers;
@@ -173,8 +182,10 @@ impl Search<'_, '_, '_> {
         let mut law = law.clone();
         if let Some(both) = overlap(opacity(*one, *first), opacity(*other, *second)) {
             law.range.skip = Some(border_of(both));
+            self.keep(Parameter::Skip, both);
         } else if let Some(both) = overlap(*first, *second) {
             law.range.skip_extinction = Some(border_of(both));
+            self.keep(Parameter::SkipExtinction, both);
         } else {
             return Ok(None);
         }
@@ -237,6 +248,7 @@ impl Search<'_, '_, '_> {
             return Ok(None);
         };
         let mut law = law.clone();
+        self.keep(Parameter::Uncorrected, both);
         law.range.uncorrected_under = Some(border_of(both));
         law.range.uncorrected_length = length;
         Ok(Some(law))
@@ -270,7 +282,7 @@ impl Search<'_, '_, '_> {
         if top.len() < 2 {
             return Ok(None);
         }
-        let mut best: Option<Law> = None;
+        let mut best: Option<(Law, identify::Bracket)> = None;
         let opacities: Vec<(f64, f64)> = top.iter().filter_map(|p| opacity(p)).collect();
         let (least, most) = opacities
             .iter()
@@ -283,7 +295,11 @@ impl Search<'_, '_, '_> {
         if most - least <= 4.0 * slack + 1e-15 {
             let mut clamped = law.clone();
             clamped.range.opacity_max = Some(simplest(level - slack, level + slack));
-            best = Some(clamped);
+            let bracket = (level - slack, level + slack);
+            best = Some((
+                clamped,
+                identify::Bracket::of(Parameter::OpacityClamp, bracket),
+            ));
             // The same with the depth's own words where that is simpler.
             let depth = law.shape.depth(level, 1.0 - level);
             let steep = slack / (1.0 - level).abs().max(1e-12);
@@ -291,12 +307,17 @@ impl Search<'_, '_, '_> {
             if digits(short) + 2 < digits(simplest(level - slack, level + slack)) {
                 let mut clamped = law.clone();
                 clamped.range.depth_max = Some(short);
-                best = Some(clamped);
+                let bracket = (depth - steep, depth + steep);
+                best = Some((
+                    clamped,
+                    identify::Bracket::of(Parameter::DepthClamp, bracket),
+                ));
             }
         }
-        if let Some(found) = best
+        if let Some((found, bracket)) = best
             && self.wrong(&found).len() < wrong.len()
         {
+            self.brackets.push(bracket);
             return Ok(Some(found));
         }
         // By extinction: what is let through grows with the length alone.
@@ -308,9 +329,13 @@ impl Search<'_, '_, '_> {
         depths.sort_by(f64::total_cmp);
         if let Some(&middle) = depths.get(depths.len() / 2) {
             let mut clamped = law.clone();
-            clamped.range.extinction_max =
-                Some(simplest(middle * (1.0 - 1e-9), middle * (1.0 + 1e-9)));
+            let both = (middle * (1.0 - 1e-9), middle * (1.0 + 1e-9));
+            clamped.range.extinction_max = Some(simplest(both.0, both.1));
             if self.wrong(&clamped).len() + 1 < wrong.len() {
+                // In formats of fewer digits it is not known to so many.
+                if answers.unit < 1e-10 {
+                    self.keep(Parameter::ExtinctionClamp, both);
+                }
                 return Ok(Some(clamped));
             }
         }
@@ -364,6 +389,7 @@ impl Search<'_, '_, '_> {
             series.range.series = Some(Series { below, terms });
             let explained = self.wrong(&series);
             if !explained.iter().any(|p| x(p) < 0.5) {
+                self.keep(Parameter::Series, (low * per, high * per));
                 return Ok(Some(series));
             }
         }

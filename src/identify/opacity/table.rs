@@ -3,12 +3,12 @@
 use super::Measurements;
 use super::fit::{Fitted, has};
 use super::measure::{Measurer, Point};
-use crate::identify::NotIdentified;
 use crate::identify::number::simplest;
 use crate::identify::random::Random;
 use crate::identify::rule::{Law, Range, Step, Table};
 use crate::identify::session::Session;
 use crate::identify::weights::Answers;
+use crate::identify::{Bracket, NotIdentified, Parameter};
 
 /// Ranges of depths that are looked at closely, and by how many rays.
 const SCANS: [(f64, f64, usize); 3] = [(0.0, 2.6, 6), (0.2, 0.5, 3), (0.2, 0.23, 3)];
@@ -51,10 +51,12 @@ pub(super) fn table(
             let with = all().filter(explains).count();
             if with == all().count() {
                 let one = (1.0, 1.0);
+                let brackets = step_of(&law, &scan);
                 return Ok(Some(Fitted {
                     law,
                     factor: one,
                     scale: one,
+                    brackets,
                     share: 1.0,
                     grain: 0.0,
                 }));
@@ -86,7 +88,8 @@ fn laws(scan: &[Point], measured: &Measurements) -> Vec<Law> {
         }
     }
     let entries = entries(scan);
-    if let Some(step) = lattice(&entries) {
+    if let Some((low, high)) = lattice(&entries) {
+        let step = simplest(low, high);
         for between in [Step::Nearest, Step::Below, Step::NearestExtinction] {
             for (step, top) in sized(measured, step) {
                 laws.push(with(Range {
@@ -111,6 +114,15 @@ fn laws(scan: &[Point], measured: &Measurements) -> Vec<Law> {
     laws
 }
 
+/// Between what a table's step lies, where the depths that occur tell.
+fn step_of(law: &Law, scan: &[Point]) -> Vec<Bracket> {
+    let step = law.range.table.map(|table| table.step);
+    let both = step.zip(lattice(&entries(scan)));
+    let both = both.filter(|(step, (low, high))| (low..=high).contains(&step));
+    let bracket = both.map(|(_, bracket)| Bracket::of(Parameter::TableStep, bracket));
+    bracket.into_iter().collect()
+}
+
 /// Tables of that step: with a last entry, and without.
 fn sized(measured: &Measurements, step: f64) -> Vec<(f64, Option<f64>)> {
     let with_top = top(measured, step).map(|(top, step)| (step, Some(top)));
@@ -133,8 +145,8 @@ fn entries(scan: &[Point]) -> Vec<f64> {
     entries
 }
 
-/// The step that all entries are multiples of.
-fn lattice(entries: &[f64]) -> Option<f64> {
+/// Between what the step lies that all entries are multiples of.
+fn lattice(entries: &[f64]) -> Option<(f64, f64)> {
     let mut sorted = entries.to_vec();
     sorted.sort_by(f64::total_cmp);
     let gaps = sorted.windows(2).map(|w| w[1] - w[0]);
@@ -157,7 +169,7 @@ fn lattice(entries: &[f64]) -> Option<f64> {
     let is_lattice = far <= 1e-6_f64.min(0.02 * step);
     let most = sorted.last().copied().unwrap_or(step) / step;
     let within = (far / most / step).max(1e-14);
-    is_lattice.then(|| simplest(step * (1.0 - within), step * (1.0 + within)))
+    is_lattice.then_some((step * (1.0 - within), step * (1.0 + within)))
 }
 
 /// The depth of a last entry, the largest depth whose opacity occurs, and the step that divides it.
@@ -249,6 +261,7 @@ fn by_bits(scan: &[Point], measured: &Measurements, answers: &Answers) -> Option
         law,
         factor: (1.0, 1.0),
         scale: (1.0, 1.0),
+        brackets: Vec::new(),
         share: 1.0,
         grain: BITS_GRAIN,
     })

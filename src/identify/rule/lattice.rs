@@ -96,6 +96,25 @@ impl Lattice {
         }
     }
 
+    /// Samples at the same part of their segments, of which as many as there are segments, or a multiple, cover the ray.
+    pub(in crate::identify) fn covering(self) -> Self {
+        match self {
+            Lattice::Even { place, count, .. } => Lattice::Even {
+                place,
+                start: Along::default(),
+                end: Along {
+                    part: 1.0,
+                    length: 0.0,
+                },
+                count: Count {
+                    each: count.each.max(1),
+                    more: if count.each == 0 { 0 } else { count.more },
+                },
+            },
+            steps @ Lattice::Steps { .. } => steps,
+        }
+    }
+
     /// The places of the samples, and how far it is from each to the next, or what its segment's length is.
     #[must_use]
     pub(in crate::identify) fn places(&self, steps: &Steps) -> (Vec<f64>, Vec<f64>) {

@@ -1,9 +1,11 @@
 //! What a kernel reads of a volume: where its samples lie along the grid, and how grid and table are looked up.
 
+mod deviating;
 mod fit;
 mod holdout;
 mod optics;
 
+pub(super) use deviating::deviations;
 pub(super) use holdout::hold_out;
 pub(super) use optics::tabulated;
 pub use optics::{Lookup, Optics};

@@ -84,6 +84,14 @@ impl Lookup {
 }
 
 impl Optics {
+    /// What is to be read with samples at the same part of their segments: linear, from end to end.
+    pub(in crate::identify) fn right(&self) -> Self {
+        Optics {
+            lattice: self.lattice.covering(),
+            ..Optics::default()
+        }
+    }
+
     /// The lattice on a grid of m cells.
     pub(super) fn on_grid(&self, cells: usize) -> Lattice {
         match self.lattice {

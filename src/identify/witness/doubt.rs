@@ -1,12 +1,17 @@
 //! Whether the answers to a ray differ from what they are to be.
 
 use super::super::Identification;
-use super::super::holdout::{Compared, compare};
-use super::super::ray::Ray;
+use super::super::holdout::{Compared, SLOPE, compare};
+use super::super::output;
+use super::super::pose::Steps;
+use super::super::ray::{Emission, Layers, Ray};
 use super::super::rule::Rule;
 use super::super::session::{Session, Silence};
 use super::super::state::Repeat;
+use super::super::volume::{Optics, tabulated};
 use super::super::weights::Answers;
+use crate::kernel::Segments;
+use std::borrow::Cow;
 
 /// What a ray shows.
 #[derive(Clone, Debug, PartialEq)]
@@ -53,6 +58,10 @@ pub(super) struct AgainstRules<'k> {
     session: Session<'k>,
     rules: &'k [Rule],
     answers: Answers,
+    /// What answers are multiples of, whatever they are to be.
+    quantum: f64,
+    /// What is to be read of a volume.
+    optics: Option<Optics>,
     spent: bool,
     names: Names,
 }
@@ -86,10 +95,56 @@ impl<'k> AgainstRules<'k> {
             session,
             rules,
             answers: answers(known),
+            quantum: quantum(known),
+            optics: known.optics.map(|optics| optics.right()),
             spent: false,
             names: Names { stem, given: 0 },
         }
     }
+}
+
+impl AgainstRules<'_> {
+    /// The segments between which a kernel's samples lie on a ray, and the step.
+    fn cut<'r>(&self, rule: &Rule, ray: &'r Ray) -> (Cow<'r, Segments>, f64) {
+        match &self.optics {
+            Some(optics) => {
+                let (segments, step) = optics.cut(&tabulated(ray), &Steps::of(ray));
+                (Cow::Owned(segments), step)
+            }
+            None => rule.cut(ray),
+        }
+    }
+}
+
+/// No precision is assumed of a kernel that is better than that of binary32: what is summed in that is often answered in
+/// binary64.
+const SINGLE: f64 = 1.0 / 16_777_216.0;
+/// Emissions of the ray that shows the precision of a kernel of which nothing is known.
+const UNEVEN: [f64; 8] = [0.831, 0.717, 0.593, 0.469, 0.371, 0.297, 0.183, 0.119];
+
+/// What is known of a kernel with the precision that its answers show, where that is not known.
+pub(super) fn precision(
+    session: &mut Session<'_>,
+    known: &Identification,
+) -> Option<Identification> {
+    if known.parts.unit.is_some() {
+        return None;
+    }
+    let n = 3_usize.next_multiple_of(session.multiple);
+    let layers = Layers::of(0.7, &vec![0.9; n]);
+    let emission = UNEVEN.map(|c| Emission::of(n, |i| c + i / 7.0));
+    let answers = session
+        .ask(&layers.ray("precision".into(), &emission))
+        .ok()?;
+    let mut known = known.clone();
+    let quantum = output::quantum(&answers);
+    known.parts.unit = Some(match quantum {
+        Some(_) => SINGLE,
+        None => output::unit(&answers).max(SINGLE),
+    });
+    let output = known.parts.output.get_or_insert_default();
+    output.quantum = output.quantum.or(quantum);
+    Some(known)
 }
 
 /// How precise a kernel is, as far as that is known.
@@ -113,14 +168,18 @@ impl Doubt for AgainstRules<'_> {
             }
             Err(_) => return None,
         };
+        let is_placed = self.optics.is_some() || self.rules.iter().any(|r| r.lattice.is_some());
+        // A place is known to its rounding, times the medium's slope there.
+        let places = if is_placed { SLOPE } else { 1.0 };
         let wide = Answers {
-            unit: CLEAR * self.answers.unit,
+            unit: places * CLEAR * self.answers.unit,
             noise: CLEAR * self.answers.noise,
             ..self.answers.clone()
         };
         let of_rule = |rule: &Rule| {
-            let all = compare(rule, &wide, &ray.segments, ray.step, &got);
-            let quantum = QUANTA * rule.output.quantum.unwrap_or(0.0);
+            let (segments, step) = self.cut(rule, ray);
+            let all = compare(rule, &wide, &segments, step, &got);
+            let quantum = QUANTA * self.quantum.max(rule.output.quantum.unwrap_or(0.0));
             let all = all.into_iter().enumerate();
             all.map(|(channel, one)| shown(ray, channel, one, quantum, self.answers.unit))
                 .collect::<Vec<_>>()
@@ -188,6 +247,11 @@ fn largest(shown: impl Iterator<Item = Shown>) -> Option<Shown> {
     })
 }
 
+fn quantum(known: &Identification) -> f64 {
+    let output = known.parts.output.as_ref();
+    output.and_then(|output| output.quantum).unwrap_or(0.0)
+}
+
 /// A kernel against another.
 pub(in crate::identify) struct AgainstKernel<'k> {
     one: Session<'k>,
@@ -205,10 +269,6 @@ impl<'k> AgainstKernel<'k> {
         other: (Session<'k>, &Identification),
     ) -> Self {
         let [first, second] = [one.1, other.1].map(answers);
-        let quantum = |known: &Identification| {
-            let output = known.parts.output.as_ref();
-            output.and_then(|output| output.quantum).unwrap_or(0.0)
-        };
         AgainstKernel {
             unit: first.unit + second.unit,
             noise: first.noise + second.noise,

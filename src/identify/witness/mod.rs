@@ -13,7 +13,7 @@ mod unit_test;
 
 pub use task::TaskError;
 
-pub(super) use doubt::{AgainstKernel, Doubt, Shown};
+pub(super) use doubt::{AgainstKernel, Doubt, Shown, answers};
 pub(super) use small::Nodes;
 
 use super::part::short;
@@ -22,7 +22,7 @@ use super::session::{Budget, Session, Spent};
 use super::{Identification, Ray};
 use crate::kernel::{Closure, Declaration, Kernel};
 use crate::real::Native;
-use doubt::AgainstRules;
+use doubt::{AgainstRules, precision};
 use shape::{Shape, per_segment};
 use std::fmt;
 
@@ -84,14 +84,8 @@ impl fmt::Display for Witness {
     /// `n = 2, d = 1, τ = 1 1, C = 0 1: 0.6321 where the rule gives 0.2325`.
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let segments = &self.ray.segments;
-        let last = segments.lengths().last().unwrap_or(0.0);
-        write!(f, "n = {}, d = {}", segments.count(), short(self.ray.step))?;
-        if last < self.ray.step * (1.0 - 1e-9) {
-            write!(f, ", the last {}", short(last))?;
-        }
+        f.write_str(&described(&self.ray))?;
         let of = |edges: &[f64], middles: &[f64]| per_segment(edges, middles);
-        let tau = of(&segments.edges.extinction, &segments.middles.extinction);
-        write!(f, ", τ = {tau}")?;
         let all = segments.edges.emission.iter();
         let all = all.zip(&segments.middles.emission);
         let all: Vec<String> = all.map(|(edges, middles)| of(edges, middles)).collect();
@@ -102,6 +96,20 @@ impl fmt::Display for Witness {
         }
         write!(f, ": {got} where the rule gives {want}")
     }
+}
+
+/// `n = 2, d = 1, τ = 1 1`: a ray without its emission.
+pub(super) fn described(ray: &Ray) -> String {
+    let segments = &ray.segments;
+    let tau = per_segment(&segments.edges.extinction, &segments.middles.extinction);
+    let last = segments.lengths().last().unwrap_or(0.0);
+    let shorter = if last < ray.step * (1.0 - 1e-9) {
+        format!(", the last {}", short(last))
+    } else {
+        String::new()
+    };
+    let (n, step) = (segments.count(), short(ray.step));
+    format!("n = {n}, d = {step}{shorter}, τ = {tau}")
 }
 
 /// A number to so many digits, without an exponent where it is neither large nor small.
@@ -134,13 +142,15 @@ pub fn witness(
     heard: &mut dyn FnMut(&Spent),
 ) -> Option<Witness> {
     let nodes = Nodes::of(rules);
+    // A model is asked segments as they are.
+    let unplaced: Vec<Rule> = rules.iter().map(on_segments).collect();
     if let Some(rule) = known.named() {
         let declaration = Declaration {
             step_divides: kernel.declaration().step_divides,
             multiple_of: kernel.declaration().multiple_of,
             ..Declaration::new("a rule")
         };
-        let rule = rule.clone();
+        let rule = on_segments(rule);
         let mut model = Closure::new(declaration, move |task, channel| {
             let answers = task
                 .cut()
@@ -155,8 +165,12 @@ pub fn witness(
         };
         let mut unheard = |_: &Spent| ();
         let session = Session::new(&mut model, free, &mut unheard);
+        let nothing_read = Identification {
+            optics: None,
+            ..known.clone()
+        };
         let found = search(
-            &mut AgainstRules::new(session, rules, known, "model"),
+            &mut AgainstRules::new(session, &unplaced, &nothing_read, "model"),
             nodes,
             from,
         );
@@ -168,10 +182,32 @@ pub fn witness(
             }
         }
     }
-    let session = Session::new(kernel, budget, heard);
+    let mut session = Session::new(kernel, budget, heard);
+    let measured = precision(&mut session, known);
+    let known = measured.as_ref().unwrap_or(known);
     let mut doubt = AgainstRules::new(session, rules, known, "sought");
-    let (ray, shown) = search(&mut doubt, nodes, from)?;
-    Some(Witness::of(ray, &shown))
+    let (ray, shown) = if known.scattered.is_some() {
+        // One segment that is the same everywhere has one answer, wherever its sample lies.
+        let ones = small::few(nodes).into_iter().take(1).collect();
+        let limits = doubt.limits();
+        let (shape, shown) = small::search(&mut doubt, ones, limits)?;
+        (shape.ray(), shown)
+    } else {
+        search(&mut doubt, nodes, from)?
+    };
+    // Answers that are others every time show nothing.
+    let again = doubt.of(&ray)?;
+    let off = (again.got - shown.got).abs();
+    let is_same = off <= shown.tolerance || !(shown.got.is_finite() || again.got.is_finite());
+    is_same.then(|| Witness::of(ray, &shown))
+}
+
+/// The rule on segments that lie where they are said to.
+fn on_segments(rule: &Rule) -> Rule {
+    Rule {
+        lattice: None,
+        ..rule.clone()
+    }
 }
 
 /// Rays that are sought without asking a kernel.
@@ -195,6 +231,10 @@ pub(super) fn search(
     let start = match start {
         Some(found) => Some(found),
         None => small::search(doubt, small::many(nodes), limits),
+    };
+    let (nodes, start) = match start {
+        Some(found) => (nodes, Some(found)),
+        None => (Nodes::All, small::search(doubt, small::scattered(), limits)),
     };
     let (shape, shown) = start?;
     let (shape, shown) = shrink::shrink(doubt, shape, shown, limits, nodes);

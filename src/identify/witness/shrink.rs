@@ -14,6 +14,11 @@ const ROUND: [f64; 9] = [0.0, 1.0, 2.0, 0.5, 5.0, 10.0, 0.1, 20.0, 0.01];
 /// Rounds after which nothing is expected to get smaller any more.
 const ROUNDS: usize = 4;
 
+/// Of rays of more segments single ones are not tried: each would cost as many questions.
+const LONG: usize = 16;
+/// Of such a ray no parts are left out that are less than this part of it.
+const PARTS: usize = 8;
+
 /// A ray on its way.
 struct Shrinking<'d> {
     doubt: &'d mut dyn Doubt,
@@ -87,10 +92,7 @@ impl Shrinking<'_> {
 
     /// One value a segment; where that shows nothing, every node goes on with its own.
     fn flatten(&mut self) {
-        let nodes = match self.nodes {
-            Nodes::All => Nodes::Middle,
-            one => one,
-        };
+        let nodes = self.placing();
         let flat = |of: &Emission| placed(nodes, &sampled(nodes, of));
         let shape = Shape {
             extinction: flat(&self.shape.extinction),
@@ -110,8 +112,14 @@ impl Shrinking<'_> {
                 ..self.shape.clone()
             });
         }
-        let mut size = self.shape.count() / 2;
-        while size > 0 {
+        if self.shape.count() > LONG {
+            self.shorten(|shape, count| shape.without(0, shape.count() - count));
+            self.shorten(|shape, count| shape.without(count, shape.count()));
+        }
+        let count = self.shape.count();
+        let least = if count > LONG { count / PARTS } else { 1 };
+        let mut size = count / 2;
+        while size >= least.max(1) {
             let mut end = self.shape.count();
             while end >= size && self.shape.count() > size {
                 let fewer = self.shape.without(end - size, end);
@@ -125,6 +133,23 @@ impl Shrinking<'_> {
                 }
             }
             size /= 2;
+        }
+    }
+
+    /// The fewest segments at one end that show it, by bisection.
+    fn shorten(&mut self, kept: impl Fn(&Shape, usize) -> Option<Shape>) {
+        let whole = self.shape.clone();
+        let (mut low, mut high) = (0, whole.count());
+        while high - low > 1 && !self.doubt.is_spent() {
+            let count = usize::midpoint(low, high).next_multiple_of(self.limits.multiple);
+            if count >= high {
+                break;
+            }
+            if kept(&whole, count).is_some_and(|fewer| self.take(fewer)) {
+                high = count;
+            } else {
+                low = count;
+            }
         }
     }
 
@@ -151,15 +176,68 @@ impl Shrinking<'_> {
             });
         }
         self.numbers(&|shape| Some(&mut shape.extinction));
+        self.light_one();
         for channel in 0..self.shape.emission.len() {
             self.numbers(&|shape| shape.emission.get_mut(channel));
+        }
+    }
+
+    /// Of a long ray only one segment shines: at an end or beside it, or where half by half is left dark.
+    fn light_one(&mut self) {
+        let n = self.shape.count();
+        if n <= LONG || self.is_lit_once() {
+            return;
+        }
+        if [0, n - 1, 1, n - 2]
+            .into_iter()
+            .any(|i| self.light(i, i + 1))
+        {
+            return;
+        }
+        let (mut start, mut end) = (0, n);
+        while end - start > 1 && !self.doubt.is_spent() {
+            let middle = usize::midpoint(start, end);
+            if self.light(start, middle) {
+                end = middle;
+            } else if self.light(middle, end) {
+                start = middle;
+            } else {
+                return;
+            }
+        }
+    }
+
+    /// Whether all channels shine in one segment, or in none.
+    fn is_lit_once(&self) -> bool {
+        self.shape.emission.iter().all(|channel| {
+            let values = sampled(self.placing(), channel);
+            values.iter().filter(|c| c.abs() > 0.0).count() <= 1
+        })
+    }
+
+    /// Only segments from `start` to `end` shine.
+    fn light(&mut self, start: usize, end: usize) -> bool {
+        let row = |i: usize| if (start..end).contains(&i) { 1.0 } else { 0.0 };
+        let row: Vec<f64> = (0..self.shape.count()).map(row).collect();
+        let emission = vec![placed(self.placing(), &row)];
+        self.take(Shape {
+            emission,
+            ..self.shape.clone()
+        })
+    }
+
+    /// Where a segment has its one value, if it is to have one.
+    fn placing(&self) -> Nodes {
+        match self.nodes {
+            Nodes::All => Nodes::Middle,
+            one => one,
         }
     }
 
     /// Numbers of one kind: all at once, then one by one.
     fn numbers(&mut self, of: &dyn Fn(&mut Shape) -> Option<&mut Emission>) {
         let row = |shape: &Shape| of(&mut shape.clone()).map(|row| row.clone());
-        for value in [1.0, 0.0] {
+        for value in [1.0, 0.0, 0.1, 0.01] {
             let Some(mut now) = row(&self.shape) else {
                 return;
             };
@@ -169,6 +247,9 @@ impl Shrinking<'_> {
             }
         }
         let n = self.shape.count();
+        if n > LONG {
+            return;
+        }
         let count = if self.nodes == Nodes::All {
             2 * n + 1
         } else {

@@ -153,9 +153,46 @@ pub(super) fn many(nodes: Nodes) -> Vec<Vec<Shape>> {
                 all.push(shape(nodes, 1.0, last, &vec![tau; n], &emissions));
             }
         }
+        all.push(smooth(n));
         all
     };
     COUNTS.into_iter().map(of).collect()
+}
+
+/// A medium that changes slowly, as those of users do, of optical depth 2.
+fn smooth(n: usize) -> Shape {
+    let wave = |phase: f64| {
+        let of = move |i: f64| 1.0 + 0.9 * (phase + std::f64::consts::TAU * i / n as f64).sin();
+        Emission::of(n, of)
+    };
+    Shape {
+        step: 2.0 / n as f64,
+        last: 1.0,
+        extinction: wave(0.0),
+        emission: vec![wave(1.0), wave(2.5)],
+    }
+}
+
+/// Rays of a few segments with another emission at each node, for kernels of which not even the place of samples is known.
+pub(super) fn scattered() -> Vec<Vec<Shape>> {
+    let of = |n: usize| {
+        let powers = |first: usize, count: usize| {
+            let power = |k: usize| f64::from(1_u32 << ((first + k) % 16));
+            (0..count).map(power).collect()
+        };
+        let emission = Emission {
+            edges: powers(0, n + 1),
+            middles: powers(n + 1, n),
+        };
+        let of = |tau: f64| Shape {
+            step: 1.0,
+            last: 1.0,
+            extinction: Emission::even(n, tau),
+            emission: vec![emission.clone()],
+        };
+        [1.0, 0.1].map(of).into()
+    };
+    [1, 2, 3, 4, 7].into_iter().map(of).collect()
 }
 
 /// The first ray that shows a difference plainly, or the one of as few segments that shows the most.

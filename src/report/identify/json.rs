@@ -1,8 +1,7 @@
 //! An examination as one JSON document.
 
 use super::Other;
-use super::words::formula;
-use crate::identify::{Deviation, Examined, Kind, NotIdentified, Witness, parts, rule};
+use crate::identify::{self, Deviation, Examined, Kind, NotIdentified, Witness, parts};
 use crate::render::ReportError;
 use serde::Serialize;
 use serde_json::Value;
@@ -24,18 +23,70 @@ pub(in crate::report) struct Found<'a> {
     verdict: &'static str,
     /// Only where it is named.
     rule: Option<Rule<'a>>,
+    /// Of a kernel that draws random numbers.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    scattered: Option<Scattered<'a>>,
+    /// What is read of a volume.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    volume: Option<String>,
     validated: Vec<Held<'a>>,
     deviations: Vec<Deviating<'a>>,
     not_identified: Vec<Open<'a>>,
     #[serde(skip_serializing_if = "Option::is_none")]
     witness: Option<Seen>,
+    opacity: Opacity,
 }
 
 #[derive(Serialize)]
-struct Rule<'a> {
+pub(super) struct Rule<'a> {
     text: String,
+    latex: String,
+    python: String,
+    c: String,
     parts: Vec<Part>,
-    formula: &'a rule::Rule,
+    /// Every parameter, as `Rule` has them.
+    formula: &'a identify::Rule,
+}
+
+impl<'a> Rule<'a> {
+    pub(super) fn of(rule: &'a identify::Rule) -> Self {
+        Rule {
+            text: rule.to_string(),
+            latex: rule.latex(),
+            python: rule.python(),
+            c: rule.c(),
+            parts: parts(rule).into_iter().map(part).collect(),
+            formula: rule,
+        }
+    }
+}
+
+#[derive(Serialize)]
+struct Scattered<'a> {
+    text: String,
+    law: &'a identify::rule::Law,
+    /// Whether all samples of a ray lie at the same part of their segments.
+    one_shift: bool,
+    seeds: usize,
+    standard_errors: f64,
+}
+
+#[derive(Serialize)]
+struct Opacity {
+    answered: usize,
+    agree: usize,
+    /// Null where it is not finite.
+    largest_difference: f64,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    witness: Option<OpacityShown>,
+}
+
+#[derive(Serialize)]
+struct OpacityShown {
+    text: String,
+    got: f64,
+    want: f64,
+    task: Value,
 }
 
 #[derive(Serialize)]
@@ -60,6 +111,11 @@ struct Deviating<'a> {
     name: &'a str,
     value: Option<f64>,
     bracket: Option<(f64, f64)>,
+    /// A count, or an answer as it came.
+    exact: bool,
+    probe: &'a str,
+    /// Kinds of rays.
+    validated: &'a [String],
     does: &'a str,
     instead_of: Option<&'a str>,
 }
@@ -133,15 +189,20 @@ pub(in crate::report) fn found(examined: &Examined) -> Result<Found<'_>, ReportE
     let found = &examined.found;
     Ok(Found {
         verdict: examined.verdict().name(),
-        rule: found.named().map(|rule| Rule {
-            text: formula(rule),
-            parts: parts(rule).into_iter().map(part).collect(),
-            formula: rule,
+        rule: found.named().map(Rule::of),
+        scattered: found.scattered.as_ref().map(|scattered| Scattered {
+            text: scattered.to_string(),
+            law: &scattered.law,
+            one_shift: scattered.one_shift,
+            seeds: scattered.seeds,
+            standard_errors: scattered.farthest,
         }),
+        volume: found.optics.map(|optics| optics.to_string()),
         validated: found.hold_out.kinds.iter().map(held).collect(),
         deviations: examined.deviations.iter().map(deviating).collect(),
         not_identified: found.not_identified.iter().map(open).collect(),
         witness: examined.witness.as_ref().map(seen).transpose()?,
+        opacity: opacity(examined)?,
     })
 }
 
@@ -180,6 +241,9 @@ fn deviating(deviation: &Deviation) -> Deviating<'_> {
         name: deviation.name,
         value: deviation.value,
         bracket: deviation.bracket,
+        exact: deviation.exact,
+        probe: deviation.probe,
+        validated: &deviation.validated,
         does: &deviation.does,
         instead_of: deviation.instead_of.as_deref(),
     }
@@ -201,6 +265,24 @@ fn seen(witness: &Witness) -> Result<Seen, serde_json::Error> {
         want: witness.want,
         tolerance: witness.tolerance,
         task: serde_json::from_str(&witness.ray.to_json()?)?,
+    })
+}
+
+fn opacity(examined: &Examined) -> Result<Opacity, serde_json::Error> {
+    let check = &examined.found.hold_out.opacity;
+    let shown = examined.opacity.as_ref().map(|shown| {
+        Ok::<_, serde_json::Error>(OpacityShown {
+            text: shown.to_string(),
+            got: shown.got,
+            want: shown.want,
+            task: serde_json::from_str(&shown.ray.to_json()?)?,
+        })
+    });
+    Ok(Opacity {
+        answered: check.answered,
+        agree: check.agree,
+        largest_difference: check.largest,
+        witness: shown.transpose()?,
     })
 }
 

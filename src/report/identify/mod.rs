@@ -4,26 +4,29 @@
 mod json;
 #[cfg(feature = "studies")]
 mod plots;
+#[cfg(feature = "studies")]
+mod stated;
 pub(super) mod words;
 
 #[cfg(feature = "studies")]
 pub use json::json;
 #[cfg(feature = "studies")]
 pub(super) use json::{Cost, Found, cost, found};
+#[cfg(feature = "studies")]
+pub use stated::Stated;
 
 #[cfg(feature = "studies")]
 use crate::document::Figure;
 use crate::document::{
     About, Block, Cell, Column, Conclusion, Document, Fact, Finding, Medium, Section, Table, Tone,
 };
-#[cfg(feature = "studies")]
 use crate::identify::rule::Rule;
 use crate::identify::{Against, Deviation, Examined, NotIdentified, Verdict};
 #[cfg(feature = "studies")]
 use crate::render::{ReportError, write_document};
 #[cfg(feature = "studies")]
 use std::path::{Path, PathBuf};
-use words::{bracketed, conclusion, formula, kinds, spent};
+use words::{conclusion, kinds, means, sentence, spent};
 
 /// Rows of a measured table that a terminal shows.
 const SHOWN: usize = 12;
@@ -102,19 +105,37 @@ pub fn write(
 
 fn rule(examined: &Examined) -> Vec<Block> {
     let found = &examined.found;
-    match (found.named(), &found.rule) {
-        (Some(rule), _) => vec![Block::Lines(formula(rule))],
-        (None, Some(rule)) => vec![
+    let mut blocks = match (found.named(), &found.rule, &found.scattered) {
+        (Some(rule), ..) => formula(rule),
+        (None, Some(rule), _) => vec![
             Block::Text(
                 "This rule was read off, and does not hold on all rays: it is not named.".into(),
             ),
-            Block::Lines(formula(rule)),
+            Block::Lines(rule.to_string()),
         ],
-        (None, None) => Vec::new(),
+        (None, None, Some(scattered)) => vec![Block::Lines(scattered.to_string())],
+        (None, None, None) => Vec::new(),
+    };
+    if let Some(optics) = &found.optics {
+        blocks.push(Block::Text(format!("Of a volume it reads: {optics}.")));
     }
+    blocks
+}
+
+/// The rule as text, and where it is written, in LaTeX.
+fn formula(rule: &Rule) -> Vec<Block> {
+    let heading = Block::Text("In LaTeX:".into());
+    vec![
+        Block::Lines(rule.to_string()),
+        heading.only(Medium::Written),
+        Block::Lines(rule.latex()).only(Medium::Written),
+    ]
 }
 
 fn validated(examined: &Examined) -> Vec<Block> {
+    if let Some(scattered) = &examined.found.scattered {
+        return vec![Block::Text(means(scattered))];
+    }
     let kinds_of = &examined.found.hold_out.kinds;
     if kinds_of.is_empty() {
         return Vec::new();
@@ -148,7 +169,7 @@ fn validated(examined: &Examined) -> Vec<Block> {
 
 fn deviating(examined: &Examined) -> Vec<Block> {
     let finding = |deviation: &Deviation| {
-        Block::Finding(Finding::new(deviation.name, bracketed(deviation)).toned(Tone::Bad))
+        Block::Finding(Finding::new(deviation.name, sentence(deviation)).toned(Tone::Bad))
     };
     examined.deviations.iter().map(finding).collect()
 }
@@ -170,10 +191,14 @@ fn open(reason: &NotIdentified) -> Vec<Block> {
 }
 
 fn witness(examined: &Examined) -> Vec<Block> {
+    let mut blocks = Vec::new();
+    if let Some(shown) = &examined.opacity {
+        blocks.push(Block::Lines(format!("opacity: {shown}")));
+    }
     let Some(witness) = &examined.witness else {
-        return Vec::new();
+        return blocks;
     };
-    let mut blocks = vec![Block::Lines(witness.to_string())];
+    blocks.insert(0, Block::Lines(witness.to_string()));
     let is_declared = examined.declaration.method.is_some();
     if examined.found.named().is_none() && !is_declared {
         let against = "No rule is named: this is beside one sample a segment, in the place nearest to the answer.";
@@ -226,8 +251,8 @@ fn compared(other: &Other) -> Vec<Block> {
 pub(super) fn pictures(rule: &Rule) -> Vec<Block> {
     let mut blocks = vec![Block::Figure(Figure::new(
         "weights",
-        "What values along an even ray of depth 3 weigh",
-        [plots::weights(rule)],
+        "What values along an even ray weigh, and how much of their light reaches the eye",
+        plots::along(rule),
     ))];
     let opacities = plots::opacities(rule);
     if !opacities.is_empty() {

@@ -1,8 +1,7 @@
 //! Sentences of the report.
 
 use crate::document::Fact;
-use crate::identify::rule::{Law, Rule, Scheme};
-use crate::identify::{Deviation, Examined, Verdict, parts};
+use crate::identify::{Deviation, Examined, Scattered, Verdict};
 
 pub(super) fn word(verdict: Verdict) -> &'static str {
     match verdict {
@@ -13,12 +12,13 @@ pub(super) fn word(verdict: Verdict) -> &'static str {
 }
 
 pub(super) fn conclusion(examined: &Examined) -> String {
-    let named = examined.found.named().is_some();
+    let found = &examined.found;
+    let named = found.named().is_some() || found.scattered.is_some();
     match examined.verdict() {
         Verdict::Right => "The rule is identified, and does not deviate".into(),
         Verdict::Deviates => {
             let all = examined.deviations.iter().map(|deviation| {
-                let value = deviation.value.map(|value| format!(" {}", number(value)));
+                let value = known(deviation).map(|value| format!(" {}", number(value)));
                 format!("{}{}", deviation.name, value.unwrap_or_default())
             });
             let all = all.collect::<Vec<_>>().join(", ");
@@ -33,17 +33,12 @@ pub(super) fn conclusion(examined: &Examined) -> String {
     }
 }
 
-/// The rule: its sum, and a line for every part that is not plain.
-pub(super) fn formula(rule: &Rule) -> String {
-    let is_plain = matches!(&rule.scheme, Scheme::Sample { law, .. } if *law == Law::default());
-    let sum = if is_plain {
-        "I = Σⱼ Tⱼ αⱼ Cⱼ, αⱼ = 1 − e^(−τⱼ dⱼ), Tⱼ = Π_{k<j} (1 − αₖ)"
-    } else {
-        "I = Σⱼ Tⱼ wⱼ Cⱼ, Tⱼ = Π_{k<j} pₖ"
-    };
-    let parts = parts(rule).into_iter().map(|part| part.words);
-    let lines: Vec<String> = std::iter::once(sum.to_string()).chain(parts).collect();
-    lines.join("\n")
+/// How far means over seeds are from those of the places that were read off.
+pub(super) fn means(scattered: &Scattered) -> String {
+    let (seeds, farthest) = (scattered.seeds, scattered.farthest);
+    format!(
+        "Means over {seeds} seeds differ from its own by at most {farthest:.1} standard errors."
+    )
 }
 
 /// In which kinds of rays it holds, and in which not.
@@ -83,8 +78,14 @@ fn list(words: &[&str]) -> String {
     }
 }
 
-/// What a kernel does, between what its parameter lies, and in place of what.
-pub(in crate::report) fn bracketed(deviation: &Deviation) -> String {
+/// A parameter that was bisected, counted, or read as it came: of no other a number is named.
+pub(super) fn known(deviation: &Deviation) -> Option<f64> {
+    let is_known = deviation.exact || deviation.bracket.is_some();
+    deviation.value.filter(|_| is_known)
+}
+
+/// What a kernel does, between what its parameter lies, in place of what, and the probe that shows it.
+pub(in crate::report) fn sentence(deviation: &Deviation) -> String {
     let mut words = deviation.does.clone();
     if let Some((low, high)) = deviation.bracket {
         words = format!("{words} (between {low:?} and {high:?})");
@@ -92,7 +93,7 @@ pub(in crate::report) fn bracketed(deviation: &Deviation) -> String {
     if let Some(other) = &deviation.instead_of {
         words = format!("{words}, in place of: {other}");
     }
-    words
+    format!("{words}; seen by {}", deviation.probe)
 }
 
 /// What was asked.

@@ -4,7 +4,7 @@ use super::words::NONE;
 use crate::convergence::Verdict;
 use crate::document::{Block, Finding, Medium, Tone};
 use crate::identify::Deviation;
-use crate::report::identify::words::{bracketed, kinds, number};
+use crate::report::identify::words::{kinds, number, sentence};
 use crate::study::verify::{
     Acceptance, Accepted, Conclusion, Identified, Line, Measured, Standing, Verification,
 };
@@ -97,7 +97,7 @@ fn said<'a>(
     accepted: &'a [Accepted],
 ) -> impl Iterator<Item = Finding> + 'a {
     let said = |(deviation, how): (&Deviation, Acceptance)| {
-        let words = bracketed(deviation);
+        let words = sentence(deviation);
         match how {
             Acceptance::Unknown => Finding::new(deviation.name, words).toned(Tone::Bad),
             Acceptance::Accepted => {

@@ -52,6 +52,11 @@ fn a_deviation_is_named_with_value_bracket_and_witness() {
     );
     let text = identify(&[], "early-end").with_code(1);
     text.shows("deviates: early-end 0.0039");
+    assert_eq!(all[0]["exact"], false);
+    assert!(!all[0]["probe"].as_str().unwrap().is_empty());
+    assert!(all[0]["validated"].as_array().unwrap().len() > 10);
+    assert_eq!(found["rule"]["formula"]["stop"]["under"], 0.0039);
+    assert!(found["rule"]["latex"].as_str().unwrap().contains("\\prod"));
     text.shows(witness["text"].as_str().unwrap());
 }
 
@@ -136,6 +141,83 @@ fn what_cannot_run_is_said_in_one_line() {
     ] {
         run.with_code(2);
     }
+}
+
+#[test]
+fn a_rule_is_printed_as_code_that_computes_what_the_kernel_does() {
+    let run = identify(&["--code", "python"], "early-end").with_code(1);
+    let script = format!(
+        "{}\nedge = dict(extinction=[0] * 3, emission=[[0] * 3])\nedge['lambda'] = [0, 1, 2]\n\
+         middle = dict(extinction=[9, 1], emission=[[0, 1]])\nmiddle['lambda'] = [0.5, 1.5]\n\
+         print(render(dict(segments=2, step=1, length=2, data=dict(edges=edge, middles=middle)))[0])",
+        run.out
+    );
+    let mut python = Command::new("python3");
+    python.args(["-c", &script]);
+    // Behind a depth of 9 the ray has ended.
+    assert_eq!(Run::of(python).with_code(0).out.trim(), "0.0");
+    let c = identify(&["--code", "c"], "none").with_code(0);
+    c.shows("double radiance(");
+    c.hides("What it computes");
+    identify(&["--code", "c"], "smoothed")
+        .with_code(1)
+        .shows("The rule is not identified");
+    identify(&["--code", "rust"], "none").with_code(2);
+}
+
+#[test]
+fn a_method_states_its_rule_and_is_not_probed() {
+    let of = |arguments: &[&str]| Run::of(command(arguments));
+    let run = of(&["identify", "method:front-to-back/back/expm1/stop=1:3"]).with_code(0);
+    run.shows("stated, and was not probed");
+    run.shows("samples at the back of segments");
+    let name = "method:trapezoid/trapezoid";
+    let found = json(&of(&["identify", "--json", "-", name]).with_code(0));
+    assert_eq!(found["verdict"], "stated");
+    assert!(
+        found["rule"]["c"]
+            .as_str()
+            .unwrap()
+            .contains("double radiance(")
+    );
+    of(&["identify", "--code", "python", name])
+        .with_code(0)
+        .shows("def radiance(");
+    of(&["identify", "method:gauss-3/boole"]).with_code(2);
+    of(&["identify", "--test", "c", name]).with_code(2);
+    identify(&["--against", name], "none").with_code(2);
+}
+
+#[test]
+fn kernels_that_misbehave_have_a_report_and_no_false_name() {
+    for fault in [
+        "nan",
+        "garbage",
+        "only-eight",
+        "three-channels",
+        "no-single",
+        "dies",
+    ] {
+        let run = identify(&["--json", "-", "--budget", "300"], fault);
+        assert!(matches!(run.code, Some(0..=2)), "{fault}: {}", run.err);
+        if run.code == Some(2) {
+            continue;
+        }
+        let found = json(&run);
+        let all = found["deviations"].as_array().unwrap();
+        let of_state = [
+            "noise",
+            "previous-answer",
+            "first-answer",
+            "vacuum-ray",
+            "vacuum-segment",
+        ];
+        for deviation in all {
+            let name = deviation["name"].as_str().unwrap();
+            assert!(of_state.contains(&name), "{fault}: {name}");
+        }
+    }
+    identify(&["--timeout", "0.5", "--seconds", "5"], "hangs").with_code(2);
 }
 
 #[test]

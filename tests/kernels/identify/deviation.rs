@@ -402,3 +402,35 @@ fn two_rules_differ_in_exactly_the_parts_that_were_changed() {
         );
     }
 }
+
+#[test]
+fn curves_are_those_of_the_formulas() {
+    let plain = sampled(Place::Middle, Law::default());
+    // In the middle of the k-th segment of depth ¼ the light in front has passed k of them.
+    for (k, (at, through)) in plain.transmittances_along(3.0).into_iter().enumerate() {
+        assert!((at - (k as f64 + 0.5) / 4.0).abs() < 1e-12);
+        assert!((through - (-(k as f64) / 4.0).exp()).abs() < 1e-12);
+    }
+    let weights = plain.weights_along(3.0);
+    let sum: f64 = weights.iter().map(|(_, weight)| weight).sum();
+    assert!((sum - (1.0 - (-3.0_f64).exp())).abs() < 1e-12);
+    assert_eq!(plain.ends_at(3.0), None);
+    let ends = Rule {
+        stop: Some(Stop {
+            by: StopBy::Transmittance,
+            under: 0.3,
+            before: false,
+            cut: false,
+            renormalised: false,
+        }),
+        ..plain.clone()
+    };
+    // e^(−5/4) < 0.3 < e^(−1): the fifth sample is the last one.
+    assert_eq!(ends.ends_at(3.0), Some(4.5 / 4.0));
+    let weights = ends.weights_along(3.0);
+    assert_eq!(weights.len(), 12);
+    assert!(weights[5..].iter().all(|(_, weight)| *weight == 0.0));
+    for [x, opacity, right] in plain.opacities() {
+        assert_eq!(opacity.to_bits(), right.to_bits(), "{x}");
+    }
+}

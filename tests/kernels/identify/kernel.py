@@ -1,7 +1,9 @@
 """A kernel of the protocol that marches through the middles of segments; its argument is its fault."""
 import json
 import math
+import random
 import sys
+import time
 
 fault = sys.argv[1]
 requests, answers = open(3), open(4, "w")
@@ -20,6 +22,17 @@ def radiance(task):
         through *= 1 - opacity
         if fault == "early-end" and through < 0.0039:
             break
+    n, channels = task["segments"], len(task["channels"])
+    if fault == "nan":
+        sums = [math.nan] * channels
+    if fault == "garbage":
+        sums = [random.random() for _ in range(channels)]
+    if (fault == "only-eight" and n != 8) or (fault == "three-channels" and channels != 3) or (fault == "no-single" and n == 1):
+        return {"error": "not that one"}
+    if fault == "dies" and n > 40:
+        sys.exit(3)
+    if fault == "hangs":
+        time.sleep(60)
     return {"radiance": sums}
 
 

@@ -1,12 +1,12 @@
 //! The radiance of one channel, as statements.
 
-use super::expression::{factor, number};
+use super::expression::{factor, number, scaled};
 use super::law::{Layer, law};
 use super::path::{Path, path};
 use super::segment::segment;
 use super::used::pruned;
 use super::{Function, Statement, at_least, at_most, change, curved, set, when};
-use crate::identify::rule::{Output, Place, Rule, Scheme, Stop, StopBy, Wall, Whole};
+use crate::identify::rule::{Output, Place, Rule, Scale, Scheme, Stop, StopBy, Wall, Whole};
 
 /// C as it counts, where that is not C.
 fn emission(rule: &Rule) -> Option<Function> {
@@ -109,7 +109,10 @@ fn put_wall(rule: &Rule, path: &Path, samples: &Samples, layer: Layer) -> Layer 
     };
     let opaque = || {
         vec![
-            set("light", samples.emission.as_str()),
+            set(
+                "light",
+                scaled(samples.emission.as_str(), Scale(rule.scheme.scale())),
+            ),
             set("w", number(rule.scheme.scale())),
             set("p", "0.0"),
         ]

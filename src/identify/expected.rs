@@ -1,0 +1,93 @@
+//! What a kernel is to compute: the rule that it declares, or the one of the same places without faults.
+
+use super::deviation::right_of;
+use super::rule::{Lattice, Law, Place, Rule, Scheme, Wall};
+use super::{Identification, stated};
+use crate::kernel::{Declaration, Sampling};
+
+/// Thresholds are told to this part of them.
+const SAME: f64 = 1e-6;
+
+/// The rules of which a kernel is to have one.
+///
+/// A declared method states its rule; else it is that of the places that were found, or where no rule is named, one sample
+/// a segment in the place that was found, declared, or in each of the three. What else is declared is no deviation.
+pub(super) fn expected(found: &Identification, declaration: &Declaration) -> Vec<Rule> {
+    let declared = declaration.method.as_ref().and_then(stated);
+    let rules = match (found.named(), declared) {
+        (Some(rule), Some(declared)) => vec![Rule {
+            lattice: rule.lattice.map(Lattice::covering),
+            ..declared
+        }],
+        (Some(rule), None) => vec![Rule {
+            lattice: rule.lattice.map(Lattice::covering),
+            ..placed(right_of(rule), declaration)
+        }],
+        (None, Some(declared)) => vec![declared],
+        (None, None) => sampled(found, declaration),
+    };
+    let but_for = |rule| but_for(rule, found, declaration);
+    rules.into_iter().map(but_for).collect()
+}
+
+/// Where a declaration says that the one sample of a segment lies.
+fn place(declaration: &Declaration) -> Option<Place> {
+    match declaration.sampling? {
+        Sampling::Front => Some(Place::Front),
+        Sampling::Middle => Some(Place::Middle),
+        Sampling::Back => Some(Place::Back),
+        Sampling::Ends | Sampling::Jittered => None,
+    }
+}
+
+/// With the one sample of a segment where it is declared to lie.
+fn placed(right: Rule, declaration: &Declaration) -> Rule {
+    let scheme = match (right.scheme, place(declaration)) {
+        (Scheme::Sample { law, .. }, Some(place)) => Scheme::Sample { place, law },
+        (scheme, _) => scheme,
+    };
+    Rule { scheme, ..right }
+}
+
+fn sampled(found: &Identification, declaration: &Declaration) -> Vec<Rule> {
+    let places = match place(declaration).or(found.parts.place) {
+        Some(place) => vec![place],
+        None => vec![Place::Front, Place::Middle, Place::Back],
+    };
+    let rule = |place| Rule {
+        scheme: Scheme::Sample {
+            place,
+            law: Law::default(),
+        },
+        ..Rule::default()
+    };
+    places.into_iter().map(rule).collect()
+}
+
+/// With the wall and the quantum that are declared.
+fn but_for(right: Rule, found: &Identification, declaration: &Declaration) -> Rule {
+    let mut right = right;
+    let named = found.named();
+    if declaration.far_wall {
+        right.wall = match named {
+            Some(rule) => rule.wall,
+            None => Some(Wall::Opaque),
+        };
+    }
+    let own = match named {
+        Some(rule) => rule.output.quantum,
+        None => found.parts.output.and_then(|output| output.quantum),
+    };
+    if let (Some(declared), Some(own)) = (declaration.quantum, own)
+        && (declared - own).abs() <= 1e-9 * declared
+    {
+        right.output.quantum = Some(own);
+    }
+    // A threshold that was bisected is the declared one, but for its last digits.
+    if let (Some(stop), Some(own)) = (&mut right.stop, named.and_then(|rule| rule.stop))
+        && (stop.under - own.under).abs() <= SAME * stop.under
+    {
+        stop.under = own.under;
+    }
+    right
+}
