@@ -22,15 +22,14 @@ pub(super) fn rule(verification: &Verification) -> Vec<Block> {
     if let Some(rule) = identified.named() {
         blocks.push(Block::Lines(rule.to_string()));
         blocks.push(Block::Text(validated(identified)));
+    } else if let Some(scattered) = &found.scattered {
+        blocks.push(Block::Lines(scattered.to_string()));
     } else {
         blocks.push(Block::Finding(no_rule(verification).toned(Tone::Open)));
         let reasons = found.not_identified.iter().take(REASONS);
         blocks.extend(reasons.map(|open| {
             Block::Finding(Finding::new("not identified", &open.reason).toned(Tone::Open))
         }));
-    }
-    if let Some(scattered) = &found.scattered {
-        blocks.push(Block::Text(scattered.to_string()));
     }
     blocks.extend(differs(identified).map(|finding| Block::Finding(finding.toned(Tone::Bad))));
     blocks
@@ -140,7 +139,7 @@ pub(super) fn witness(verification: &Verification) -> Vec<Block> {
     let Some(witness) = witness else {
         return Vec::new();
     };
-    let mut blocks = vec![Block::Lines(witness.to_string())];
+    let mut blocks = vec![Block::Text(witness.to_string())];
     if let Ok(task) = witness.ray.to_json() {
         blocks.push(Block::Lines(task).only(Medium::Written));
     }
