@@ -85,7 +85,7 @@ const SINGLE: &[Mutant] = &[
     (FRONT, &[Binary32], &[]),
     (MIDDLE, &[Table(64)], &[]),
     (MIDDLE, &[Table(256)], &[]),
-    (MIDDLE, &[NearestEntry], &[]),
+    (MIDDLE, &[NearestEntry], &[("table-lookup", None)]),
     (FRONT, &[Jittered], &[("seed", None)]),
 ];
 
@@ -152,7 +152,11 @@ const DOUBLE: &[Mutant] = &[
         &[SampleMiddle, EmissionTwice, StopUnder(0.05)],
         &[("weight", None), ("early-end", Some(0.05))],
     ),
-    (FRONT, &[FarWall, LastDropped], &[]),
+    (
+        FRONT,
+        &[FarWall, LastDropped],
+        &[("last-sample", None), ("wall", None)],
+    ),
     (FRONT, &[Bits(16), LastDropped], &[]),
     (FRONT, &[Bits(15), Swapped], &[]),
     (FRONT, &[Bits(12), LinearOpacity], &[]),
