@@ -26,7 +26,7 @@ pub(super) fn expected(found: &Identification, declaration: &Declaration) -> Vec
         (None, Some(declared)) => vec![declared],
         (None, None) => sampled(found, declaration),
     };
-    let but_for = |rule| but_for(rule, found, declaration);
+    let but_for = |rule| but_for(on_lattice(rule, found), found, declaration);
     rules.into_iter().map(but_for).collect()
 }
 
@@ -62,6 +62,33 @@ fn sampled(found: &Identification, declaration: &Declaration) -> Vec<Rule> {
         ..Rule::default()
     };
     places.into_iter().map(rule).collect()
+}
+
+/// As the rule of a kernel is written whose samples lie on a lattice: as if in the middle, where they lie as they are to.
+fn on_lattice(right: Rule, found: &Identification) -> Rule {
+    let Some(named) = found.named() else {
+        return right;
+    };
+    let lattice = found.optics.map(|optics| optics.lattice).or(named.lattice);
+    let (Some(lattice), Scheme::Sample { place: own, .. }) = (lattice, &named.scheme) else {
+        return right;
+    };
+    let (Lattice::Steps { place: part, .. } | Lattice::Even { place: part, .. }) = lattice;
+    let Scheme::Sample { place, law } = right.scheme.clone() else {
+        return right;
+    };
+    let wanted = match place {
+        Place::Front => 0.0,
+        Place::Middle => 0.5,
+        Place::Back => 1.0,
+    };
+    let place = if (part - wanted).abs() <= SAME {
+        *own
+    } else {
+        place
+    };
+    let scheme = Scheme::Sample { place, law };
+    Rule { scheme, ..right }
 }
 
 /// With the wall and the quantum that are declared.
