@@ -347,8 +347,9 @@ pub(super) fn hold_out(
         if (has_gaps && terms.no_vacuum)
             || (make.what == What::Negative && !terms.negative)
             || (session.is_short() && !CORE.contains(&make.name))
-            // Quadratures inside segments have their own end.
-            || (make.what == What::Opaque(WALL) && matches!(rule.scheme, Scheme::Segments { .. }))
+            // Quadratures inside segments have their own end; between nodes a wall is a slope.
+            || (make.what == What::Opaque(WALL)
+                && (rule.lattice.is_some() || matches!(rule.scheme, Scheme::Segments { .. })))
         {
             continue;
         }

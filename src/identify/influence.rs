@@ -59,18 +59,9 @@ pub(super) fn influence(
     let extra = samples.sequence.extra.is_some();
     let nodes = nodes_of(place, n, extra);
     let taus = vec![even.extinction; n];
-    let mut random = Random::new(23);
-    let others = random.many(n, 0.25 * even.extinction, 5.0 * even.extinction);
     let weight = |node: &Node| weight_of(&even.weights, n, *node);
     let base: Vec<Measured> = nodes.iter().map(weight).collect();
-    let mixed = weights(
-        session,
-        answers,
-        &layers_at(place, STEP, &taus, &others),
-        &nodes,
-        &[],
-    )?
-    .of;
+    let mixed = with_others(session, answers, place, &taus, &nodes)?;
     let top = base.iter().map(|w| w.value.abs()).fold(0.0, f64::max);
     let lit = |k: usize| base[k].value.abs() > 1e-9 * top + 8.0 * base[k].error;
     let live: Vec<usize> = (0..nodes.len()).filter(|k| lit(*k)).collect();
@@ -165,6 +156,20 @@ pub(super) fn influence(
             "all weights change by a common factor, which is neither division nor multiplication by the ray's opacity",
         ),
     }
+}
+
+/// Weights where the extinctions at all other nodes are random.
+fn with_others(
+    session: &mut Session<'_>,
+    answers: &Answers,
+    place: Place,
+    taus: &[f64],
+    nodes: &[Node],
+) -> Result<Vec<Measured>, NotIdentified> {
+    let tau = taus.first().copied().unwrap_or(0.0);
+    let others = Random::new(23).many(taus.len(), 0.25 * tau, 5.0 * tau);
+    let layers = layers_at(place, STEP, taus, &others);
+    Ok(weights(session, answers, &layers, nodes, &[])?.of)
 }
 
 /// Weights of a ray with one extinction raised, by those of the even one.

@@ -255,6 +255,7 @@ impl Search<'_, '_, '_> {
     }
 
     /// Thick segments that all have one opacity, or one extinction.
+    #[expect(clippy::unnecessary_wraps, reason = "as those that ask")]
     fn clamped(&mut self, law: &Law) -> Result<Option<Law>, NotIdentified> {
         let wrong = self.wrong(law);
         let answers = self.measurer.answers;
@@ -283,7 +284,7 @@ impl Search<'_, '_, '_> {
             return Ok(None);
         }
         let mut best: Option<(Law, identify::Bracket)> = None;
-        let opacities: Vec<(f64, f64)> = top.iter().filter_map(|p| opacity(p)).collect();
+        let opacities: Vec<(f64, f64)> = top.iter().filter_map(opacity).collect();
         let (least, most) = opacities
             .iter()
             .fold((f64::INFINITY, f64::NEG_INFINITY), |(l, h), o| {
@@ -343,6 +344,7 @@ impl Search<'_, '_, '_> {
     }
 
     /// 1 − (1 − α₁)^d, which ends where 1 − α₁ is all rounding.
+    #[expect(clippy::unnecessary_wraps, reason = "as those that ask")]
     fn saturated(&mut self, law: &Law) -> Result<Option<Law>, NotIdentified> {
         let wrong = self.wrong(law);
         if law.shape != Shape::Exponential || !wrong.iter().all(|p| p.extinction > 4.0) {

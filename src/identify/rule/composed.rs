@@ -172,7 +172,9 @@ impl Rule {
                     let mut all = weights.of(&three, &x);
                     if (scale.0 - 1.0).abs() > 0.0 {
                         let scale = format.binary64(scale.0);
-                        all.iter_mut().for_each(|w| *w *= &scale);
+                        for w in &mut all {
+                            *w *= &scale;
+                        }
                     }
                     let adds = nodes.into_iter().zip(all).collect();
                     Some(Layer {

@@ -63,7 +63,7 @@ impl Witness {
         );
         let _ = write!(text, "int main(void)\n{{\n    /* {self} */\n");
         for (name, row) in self.rows() {
-            let _ = write!(text, "    const double {name}[] = {{{}}};\n", listed(&row));
+            let _ = writeln!(text, "    const double {name}[] = {{{}}};", listed(&row));
         }
         let _ = write!(
             text,
@@ -81,7 +81,7 @@ impl Witness {
         let (want, tolerance) = (self.want, self.tolerance);
         let mut text = format!("#[test]\nfn witness() {{\n    // {self}\n");
         for (name, row) in self.rows() {
-            let _ = write!(text, "    let {name} = [{}];\n", listed(&row));
+            let _ = writeln!(text, "    let {name} = [{}];", listed(&row));
         }
         let _ = write!(
             text,

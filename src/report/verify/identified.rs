@@ -178,8 +178,16 @@ fn effect(lines: &[Line]) -> String {
     if grow > 0 {
         words.push(format!("grow in {grow}"));
     }
+    let contradicted = lines
+        .iter()
+        .filter(|line| line.standing == Standing::Contradicted)
+        .count();
+    let others = contradicted - stalled.len() - lower.len() - grow;
+    if others > 0 {
+        words.push(format!("show no order in {others}"));
+    }
     if words.is_empty() {
-        return "No order is lost by that in the channels that were run.".into();
+        return "No channel that was run contradicts the order.".into();
     }
     format!(
         "Of {} channels errors {}.",

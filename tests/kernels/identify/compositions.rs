@@ -45,6 +45,7 @@ impl Random {
 /// Faults of one kind exclude each other.
 const KINDS: [usize; 11] = [0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10];
 
+#[expect(clippy::too_many_lines, reason = "a list of faults")]
 /// Puts a fault of that kind into a rule, and names it; `None` where it has none that fits.
 fn put(rule: &mut Rule, kind: usize, random: &mut Random) -> Option<&'static str> {
     let halves = |halves| Power { halves };

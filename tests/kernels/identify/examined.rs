@@ -111,7 +111,8 @@ fn names(examined: &Examined) -> Vec<&'static str> {
 
 #[test]
 fn what_is_bisected_lies_in_a_narrow_bracket_of_the_true_value() {
-    let kernels: [(&str, f64, f64, fn() -> March); 5] = [
+    type Known = (&'static str, f64, f64, fn() -> March);
+    let kernels: [Known; 5] = [
         ("skip", 2.3e-3, 1e-6, || March {
             opacity: |x| {
                 if x < -(-2.3e-3_f64).ln_1p() {

@@ -34,6 +34,7 @@ fn clipped(high: f64) -> Rule {
     })
 }
 
+#[expect(clippy::too_many_lines, reason = "a list of pairs")]
 /// Both, and on what they differ.
 fn pairs() -> Vec<(&'static str, Rule, Rule)> {
     let middle = || plain(Place::Middle);
