@@ -1,0 +1,77 @@
+//! Rays about an early end.
+
+use super::kinds::{Make, USUAL};
+use super::ray::ray;
+use super::{Kind, Miss, Terms, judge};
+use crate::identify::random::Random;
+use crate::identify::rule::Rule;
+use crate::identify::session::{Session, Silence};
+use crate::real::Native;
+
+/// How near to its early end a ray is made to come.
+const NEAR: f64 = 2e-3;
+
+/// Rays that just end early, and that just do not: elsewhere a threshold does not show.
+pub(super) fn about_the_end(
+    session: &mut Session<'_>,
+    rule: &Rule,
+    terms: &Terms<'_>,
+    random: &mut Random,
+    misses: &mut Vec<Miss>,
+) -> Result<Kind, Silence> {
+    let mut kind = Kind {
+        name: "about to end early".into(),
+        rays: 0,
+        agree: 0,
+        unanswered: 0,
+        digits: 17.0,
+    };
+    let make = Make {
+        depth: [1.0, 1.0],
+        segments: [16, 24],
+        ..USUAL
+    };
+    for _ in 0..2 {
+        let shape = ray(session, random, make, false, terms);
+        let scaled = |scale: f64| {
+            let mut ray = shape.clone();
+            let all = [&mut ray.segments.edges, &mut ray.segments.middles];
+            for samples in all {
+                samples.extinction.iter_mut().for_each(|tau| *tau *= scale);
+            }
+            ray
+        };
+        let taken = |scale: f64| {
+            let ray = scaled(scale);
+            let (segments, step) = rule.cut(&ray);
+            let composed = rule.composed(&segments, step, Native::<f64>::new());
+            composed.terms.len()
+        };
+        // By a transmittance thick rays end, by a weight thin ones: where the number of samples changes.
+        let scales: Vec<f64> = (0..40).map(|k| 1e-3 * 1.4_f64.powi(k)).collect();
+        let change = scales.windows(2).find(|w| taken(w[0]) != taken(w[1]));
+        let Some(&[mut low, mut high]) = change else {
+            continue;
+        };
+        let before = taken(low);
+        for _ in 0..60 {
+            let middle = (low * high).sqrt();
+            if taken(middle) == before {
+                low = middle;
+            } else {
+                high = middle;
+            }
+        }
+        for scale in [low * (1.0 - NEAR), high * (1.0 + NEAR)] {
+            let mut ray = scaled(scale);
+            ray.name = session.name();
+            kind.rays += 1;
+            match session.ask_any(&ray) {
+                Ok(got) => judge(rule, terms, &ray, &got, &mut kind, misses),
+                Err(Silence::Budget(spent)) => return Err(Silence::Budget(spent)),
+                Err(_) => kind.unanswered += 1,
+            }
+        }
+    }
+    Ok(kind)
+}

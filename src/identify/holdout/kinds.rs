@@ -1,0 +1,243 @@
+//! The kinds of rays that are held out.
+
+/// The depth of a segment that is a wall.
+pub(super) const WALL: f64 = 1e5;
+
+/// How rays of a kind are made.
+#[derive(Clone, Copy)]
+pub(super) struct Make {
+    pub(super) name: &'static str,
+    /// Optical depths of the whole ray.
+    pub(super) depth: [f64; 2],
+    pub(super) segments: [usize; 2],
+    /// The step, by its range.
+    pub(super) step: [f64; 2],
+    /// The largest emission.
+    pub(super) bright: f64,
+    pub(super) what: What,
+    /// How many whose steps divide them.
+    pub(super) whole: usize,
+    /// How many whose last step is shorter.
+    pub(super) partial: usize,
+}
+
+#[derive(Clone, Copy, PartialEq)]
+pub(super) enum What {
+    /// Everywhere something.
+    Full,
+    /// Four of ten segments hold nothing.
+    Gaps,
+    /// The last segment holds nothing; or the first.
+    EmptyEnd,
+    /// One segment of that depth hides all behind it.
+    Opaque(f64),
+    /// The last step is a small part of the others.
+    ShortLast,
+    /// All but the same everywhere.
+    NearlyEven,
+    /// Emissions of both signs.
+    Negative,
+    /// Extinctions and emissions that change slowly, as those of users do.
+    Smooth,
+    /// The same everywhere.
+    Even,
+    /// As many as these, with gaps, that have one name.
+    OneName,
+}
+
+pub(super) const USUAL: Make = Make {
+    name: "",
+    depth: [0.02, 3.0],
+    segments: [9, 40],
+    step: [0.03, 0.9],
+    bright: 1.0,
+    what: What::Full,
+    whole: 1,
+    partial: 1,
+};
+
+/// The kinds: what tells rules apart that differ on few rays has one of its own.
+pub(super) const MAKES: [Make; 24] = [
+    Make {
+        name: "smooth",
+        segments: [150, 250],
+        what: What::Smooth,
+        whole: 0,
+        partial: 1,
+        ..USUAL
+    },
+    Make {
+        name: "even",
+        segments: [20, 60],
+        what: What::Even,
+        whole: 1,
+        partial: 0,
+        ..USUAL
+    },
+    Make {
+        name: "nearly even",
+        segments: [50, 70],
+        what: What::NearlyEven,
+        whole: 1,
+        partial: 0,
+        ..USUAL
+    },
+    Make {
+        name: "thin",
+        depth: [1e-3, 0.02],
+        whole: 0,
+        partial: 1,
+        ..USUAL
+    },
+    Make {
+        name: "nearly empty",
+        depth: [1e-9, 1e-6],
+        whole: 1,
+        partial: 0,
+        ..USUAL
+    },
+    Make {
+        name: "middling",
+        ..USUAL
+    },
+    Make {
+        name: "thick",
+        depth: [3.0, 14.0],
+        whole: 1,
+        partial: 0,
+        ..USUAL
+    },
+    Make {
+        name: "very thick",
+        depth: [14.0, 60.0],
+        whole: 0,
+        partial: 1,
+        ..USUAL
+    },
+    Make {
+        name: "with gaps",
+        what: What::Gaps,
+        whole: 0,
+        partial: 1,
+        ..USUAL
+    },
+    Make {
+        name: "empty at an end",
+        // Loops unrolled by up to 16 take the last one, too.
+        segments: [48, 48],
+        what: What::EmptyEnd,
+        ..USUAL
+    },
+    Make {
+        name: "opaque inside",
+        what: What::Opaque(36.0),
+        whole: 0,
+        partial: 1,
+        ..USUAL
+    },
+    Make {
+        name: "opaque as a wall inside",
+        step: [1e-3, 4e-3],
+        what: What::Opaque(WALL),
+        whole: 1,
+        partial: 0,
+        ..USUAL
+    },
+    Make {
+        name: "of one segment",
+        segments: [1, 1],
+        ..USUAL
+    },
+    Make {
+        name: "of few segments",
+        segments: [2, 4],
+        whole: 0,
+        partial: 1,
+        ..USUAL
+    },
+    Make {
+        name: "with next to nothing as a last step",
+        what: What::ShortLast,
+        whole: 0,
+        partial: 2,
+        ..USUAL
+    },
+    Make {
+        name: "bright",
+        bright: 20.0,
+        whole: 1,
+        partial: 0,
+        ..USUAL
+    },
+    Make {
+        name: "glaring",
+        bright: 2e4,
+        whole: 0,
+        partial: 1,
+        ..USUAL
+    },
+    Make {
+        name: "dim",
+        bright: 2e-5,
+        whole: 1,
+        partial: 0,
+        ..USUAL
+    },
+    Make {
+        name: "short",
+        step: [1e-3, 4e-3],
+        whole: 0,
+        partial: 1,
+        ..USUAL
+    },
+    Make {
+        name: "long",
+        step: [20.0, 60.0],
+        whole: 1,
+        partial: 0,
+        ..USUAL
+    },
+    Make {
+        name: "with negative emission",
+        what: What::Negative,
+        whole: 1,
+        partial: 0,
+        ..USUAL
+    },
+    Make {
+        name: "of very many segments",
+        segments: [1_190, 1_210],
+        whole: 1,
+        partial: 0,
+        ..USUAL
+    },
+    Make {
+        name: "of many segments",
+        // After a longer ray: what is left of that one shows.
+        segments: [65, 119],
+        whole: 0,
+        partial: 1,
+        ..USUAL
+    },
+    // Different rays of one name and one number of segments: what is remembered by these shows.
+    Make {
+        name: "of one name",
+        segments: [24, 24],
+        step: [0.25, 0.25],
+        what: What::OneName,
+        whole: 3,
+        partial: 0,
+        ..USUAL
+    },
+];
+
+/// The kinds for which there are rays where there are few.
+pub(super) const CORE: [&str; 7] = [
+    "smooth",
+    "of very many segments",
+    "thick",
+    "empty at an end",
+    "of one segment",
+    "with next to nothing as a last step",
+    "glaring",
+];

@@ -1,0 +1,120 @@
+//! A random ray of a kind.
+
+use super::Terms;
+use super::kinds::{Make, What};
+use crate::identify::random::Random;
+use crate::identify::ray::{Emission, Layers, Ray};
+use crate::identify::session::Session;
+
+/// One ray; `partial` where its last step is shorter.
+pub(super) fn ray(
+    session: &mut Session<'_>,
+    random: &mut Random,
+    make: Make,
+    partial: bool,
+    terms: &Terms<'_>,
+) -> Ray {
+    let [fewest, most] = make.segments;
+    let n = random
+        .integer(fewest, most)
+        .next_multiple_of(session.multiple);
+    let [low, high] = make.depth;
+    let depth = random.geometric(low, high) * terms.typical;
+    let [short, long] = make.step;
+    let step = random.geometric(short, long);
+    let last = if partial {
+        match make.what {
+            What::ShortLast => random.geometric(2e-3, 0.1),
+            _ => random.within(0.15, 0.95),
+        }
+    } else {
+        1.0
+    };
+    let has_gaps = matches!(make.what, What::Gaps | What::OneName);
+    let mut taus = |count: usize| -> Vec<f64> {
+        let scale = depth / (n as f64 * step);
+        let one = |random: &mut Random| {
+            let tau = random.uneven() * scale;
+            if has_gaps && random.part() < 0.4 {
+                0.0
+            } else {
+                tau
+            }
+        };
+        (0..count).map(|_| one(random)).collect()
+    };
+    let (mut edges, mut middles) = (taus(n + 1), taus(n));
+    match make.what {
+        What::EmptyEnd => {
+            // Every node of the segment at this end.
+            (edges[n], edges[n - 1], middles[n - 1]) = (0.0, 0.0, 0.0);
+            if partial {
+                (edges[0], middles[0]) = (0.0, 0.0);
+            }
+        }
+        What::Opaque(depth) => {
+            let at = n / 3;
+            let opaque = depth * terms.typical / step;
+            (edges[at], edges[at + 1], middles[at]) = (opaque, opaque, opaque);
+        }
+        What::Smooth => {
+            let mean = depth / (n as f64 * step);
+            let wave = wave(random);
+            edges = (0..=n).map(|i| mean * wave(i as f64 / n as f64)).collect();
+            middles = (0..n)
+                .map(|i| mean * wave((i as f64 + 0.5) / n as f64))
+                .collect();
+        }
+        What::Even => {
+            let tau = depth / (n as f64 * step);
+            (edges, middles) = (vec![tau; n + 1], vec![tau; n]);
+        }
+        What::NearlyEven => {
+            let tau = depth / (n as f64 * step);
+            edges = (0..=n).map(|_| tau * random.within(0.995, 1.005)).collect();
+            middles = (0..n).map(|_| tau * random.within(0.995, 1.005)).collect();
+        }
+        What::OneName => {
+            // The same at both ends: a key made of these is no key.
+            let mean = 0.5 * terms.typical / (n as f64 * step);
+            (edges[0], middles[0], edges[n], middles[n - 1]) = (mean, mean, mean, mean);
+        }
+        What::Full | What::Gaps | What::Negative | What::ShortLast => {}
+    }
+    let bright = make.bright * if partial { 1.0 } else { 4.0 };
+    let low = if make.what == What::Negative {
+        -bright
+    } else {
+        0.0
+    };
+    let emission: Vec<Emission> = (0..3)
+        .map(|_| match make.what {
+            What::Smooth => {
+                let wave = wave(random);
+                Emission::of(n, |i| 0.5 * bright * wave(i / n as f64))
+            }
+            What::Even => Emission::even(n, random.within(low, bright)),
+            What::NearlyEven => Emission::of(n, |_| bright * random.within(0.995, 1.005)),
+            _ => Emission::of(n, |_| random.within(low, bright)),
+        })
+        .collect();
+    let layers = Layers {
+        step,
+        last,
+        edges,
+        middles,
+    };
+    let mut ray = session.ray(&layers, &emission);
+    // What hangs on the seed at times only.
+    ray.seed = random.integer(1, 1_000_000) as u64;
+    if make.what == What::OneName {
+        ray.name = "probe".into();
+    }
+    ray
+}
+
+/// A wave about 1, with two periods or fewer along the ray.
+fn wave(random: &mut Random) -> impl Fn(f64) -> f64 + use<> {
+    let (phase, periods) = (random.within(0.0, 6.0), random.within(0.5, 2.0));
+    move |part| 1.0 + 0.9 * (phase + std::f64::consts::TAU * periods * part).sin()
+}
