@@ -1,0 +1,240 @@
+//! The stages, one after the other: each reads a part off, and knows of those before it alone.
+
+use super::ends::{self, Lone, Vacuum};
+use super::influence::{self, Influence};
+use super::opacity::{self, measure::Measurer};
+use super::places::{self, Places, Samples};
+use super::rule::{End, Lattice, Law, Rule, Scheme, Wall, Whole};
+use super::session::Session;
+use super::weights::Answers;
+use super::{
+    Bracket, Identification, NotIdentified, Parameter, VacuumFails, channels, free_places, holdout,
+    output, pose, scattered, segment, state, volume,
+};
+use crate::kernel::FormKind;
+
+/// What stages of one sample a segment have found.
+struct Sampled {
+    rule: Rule,
+    grain: f64,
+    typical: f64,
+    vacuum: Vacuum,
+}
+
+pub(super) fn run(
+    session: &mut Session<'_>,
+    found: &mut Identification,
+) -> Result<(), NotIdentified> {
+    let lean = session.is_narrow() || session.is_short();
+    let (state, noise) = state::state(session)?;
+    found.parts.noise = noise;
+    found.state = Some(state.clone());
+    let (channels, odd) = channels::channels(session, &state, noise)?;
+    found.not_identified.extend(odd);
+    session.channels = channels;
+    found.parts.channels = Some(channels);
+    let mapped = output::output(session, &state, noise)?;
+    let answers = mapped.answers.clone();
+    found.brackets.clone_from(&mapped.brackets);
+    found.parts.output = Some(answers.output);
+    found.parts.unit = Some(answers.unit);
+    found.parts.noise = answers.noise;
+    if state.seed {
+        found.scattered = Some(scattered::scattered(session, &answers)?);
+        return Ok(());
+    }
+    let poses = pose::Pose::new(session.pose.form);
+    let divides = session.divides;
+    let lean = lean | look(session, &answers, found)?;
+    let even = places::even(session, &answers, false)?;
+    let base = Rule {
+        emission_max: mapped.emission_max,
+        emission_min: mapped.emission_min,
+        lattice: session.pose.lattice(),
+        output: answers.output,
+        channels,
+        ..Rule::default()
+    };
+    let sampled = match places::places(session, &answers, &even)? {
+        Places::Several => several(session, &answers, &base)?,
+        Places::Samples(samples) => {
+            found.parts.place = Some(samples.place);
+            found.parts.alike.clone_from(&samples.alike);
+            match influence::influence(session, &answers, &even, &samples)? {
+                Influence::Several => several(session, &answers, &base)?,
+                Influence::Own { whole } => {
+                    let measurer = Measurer {
+                        answers: &answers,
+                        samples: &samples,
+                        whole,
+                    };
+                    one_sample(session, &measurer, &base, found, lean)?
+                }
+            }
+        }
+    };
+    let fails = sampled.vacuum;
+    found.parts.vacuum_fails = match (fails.part_fails, fails.whole_fails) {
+        (true, _) => Some(VacuumFails::Segment),
+        (false, true) => Some(VacuumFails::Ray),
+        (false, false) => None,
+    };
+    found.parts.grain = sampled.grain;
+    let answers = Answers {
+        grain: sampled.grain,
+        ..answers
+    };
+    let terms = holdout::Terms {
+        answers: &answers,
+        typical: sampled.typical,
+        no_vacuum: fails.part_fails,
+        negative: mapped.takes_negative,
+    };
+    // What was found out is tried on rays that know nothing of it.
+    (session.pose, session.divides) = (poses, divides);
+    found.hold_out = match &found.optics {
+        Some(optics) => volume::hold_out(session, &sampled.rule, optics, &terms)?,
+        None => holdout::hold_out(session, &sampled.rule, &terms)?,
+    };
+    found.rule = Some(sampled.rule);
+    Ok(())
+}
+
+/// Where a kernel looks that may look anywhere; rays are made for these places from then on. Whether it takes so many
+/// samples only.
+fn look(
+    session: &mut Session<'_>,
+    answers: &Answers,
+    found: &mut Identification,
+) -> Result<bool, NotIdentified> {
+    let lattice = match session.pose.form {
+        FormKind::Segments => return Ok(false),
+        FormKind::Volume => {
+            let optics = volume::optics(session, answers)?;
+            session.pose.places = pose::Known::Volume(optics);
+            found.optics = Some(optics);
+            optics.lattice
+        }
+        FormKind::Formula(_) | FormKind::Function => match free_places::places(session, answers)? {
+            free_places::Places::Nodes => return Ok(false),
+            free_places::Places::Lattice(lattice) => {
+                session.pose.places = pose::Known::Lattice(lattice);
+                lattice
+            }
+        },
+    };
+    let Lattice::Even { count, .. } = lattice else {
+        return Ok(false);
+    };
+    session.divides = true;
+    if count.each == 0 {
+        session.most_samples = count.of(1);
+    }
+    Ok(count.each == 0)
+}
+
+/// The rule of segments with several values.
+fn several(
+    session: &mut Session<'_>,
+    answers: &Answers,
+    base: &Rule,
+) -> Result<Sampled, NotIdentified> {
+    let mut rule = Rule {
+        scheme: segment::segments(session, answers)?,
+        ..base.clone()
+    };
+    let vacuum = ends::failures(session, 1.0 / 8.0)?;
+    let behind = ends::behind(session, answers, 1.0 / 8.0, &rule, !vacuum.whole_fails)?;
+    (rule.background, rule.offset) = (behind.background, behind.offset);
+    Ok(Sampled {
+        rule,
+        grain: 0.0,
+        typical: 1.0,
+        vacuum,
+    })
+}
+
+/// The rule of one sample a segment.
+fn one_sample(
+    session: &mut Session<'_>,
+    measurer: &Measurer<'_>,
+    base: &Rule,
+    found: &mut Identification,
+    lean: bool,
+) -> Result<Sampled, NotIdentified> {
+    let samples: &Samples = measurer.samples;
+    let measured = opacity::measure(session, measurer, lean)?;
+    let reference = measured.reference(0.25).map_or(0.125, |r| r.extinction);
+    let vacuum = ends::vacuum(session, measurer, reference)?;
+    let fitted = opacity::law(session, measurer, &measured, vacuum.eps)?;
+    let law: Law = fitted.law;
+    let brackets = &mut found.brackets;
+    let mut keep = |parameter, bracket: (f64, f64)| {
+        brackets.push(Bracket::of(parameter, bracket));
+    };
+    keep(Parameter::Factor, fitted.factor);
+    keep(Parameter::Scale, fitted.scale);
+    for bracket in &fitted.brackets {
+        keep(bracket.parameter, (bracket.low, bracket.high));
+    }
+    if vacuum.eps != 0.0 {
+        keep(Parameter::Eps, vacuum.bracket);
+    }
+    let lone = Lone {
+        measurer,
+        law: &law,
+        measured: &measured,
+    };
+    let mut rule = Rule {
+        scheme: Scheme::Sample {
+            place: samples.place,
+            law: law.clone(),
+        },
+        sequence: samples.sequence,
+        whole: measurer.whole,
+        ..base.clone()
+    };
+    if samples.wall {
+        let walled = ends::wall(session, &lone)?;
+        rule.wall = Some(walled.wall);
+        if let (Some(whole), Whole::One) = (walled.whole, rule.whole)
+            && samples.sequence.first == End::Once
+        {
+            rule.whole = whole;
+        }
+        if matches!(walled.wall, Wall::Length(_)) {
+            keep(Parameter::Wall, walled.bracket);
+        }
+    }
+    if let Some(early) = ends::early_end(session, &lone)? {
+        keep(Parameter::Stop, early.bracket);
+        rule.stop = Some(early.stop);
+    }
+    rule.sequence = ends::counts(session, &lone, &rule, lean)?;
+    let has_vacuum = !vacuum.whole_fails && !vacuum.part_fails;
+    let behind = ends::behind(session, measurer.answers, reference, &rule, has_vacuum)?;
+    (rule.background, rule.offset) = (behind.background, behind.offset);
+    if behind.background != 0.0 {
+        keep(Parameter::Background, behind.of_background);
+    }
+    if behind.offset != 0.0 {
+        keep(Parameter::Offset, behind.of_offset);
+    }
+    let answers = Answers {
+        grain: fitted.grain,
+        ..measurer.answers.clone()
+    };
+    match ends::last_step(session, &answers, &rule, 6.1 * reference)? {
+        Some(with_last) => rule = with_last,
+        None => found.not_identified.push(NotIdentified::new(
+            "a shorter last segment counts in no known way",
+        )),
+    }
+    let typical = measured.reference(1.0).map_or(1.0, |r| 32.0 * r.extinction);
+    Ok(Sampled {
+        rule,
+        grain: fitted.grain,
+        typical,
+        vacuum,
+    })
+}
