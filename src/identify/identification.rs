@@ -1,6 +1,6 @@
 //! What was found out about a kernel, and how well it is known.
 
-use super::rule::{self, Place, Rule, Sequence};
+use super::rule::{self, Place, Rule};
 use super::scattered::Scattered;
 use super::{HoldOut, NotIdentified, Optics, Spent, State};
 
@@ -50,8 +50,6 @@ pub struct Parts {
     pub grain: f64,
     /// Where one sample a segment lies.
     pub place: Option<Place>,
-    /// Other places and orders that have the same weights on every ray asked.
-    pub alike: Vec<(Place, Sequence)>,
     /// Rays, or segments, that hold nothing have no finite answer.
     pub vacuum_fails: Option<VacuumFails>,
 }

@@ -23,8 +23,6 @@ pub(super) struct Samples {
     pub(super) sequence: Sequence,
     /// The last one weighs more than its place says.
     pub(super) wall: bool,
-    /// Other readings that no even medium tells from this one.
-    pub(super) alike: Vec<(Place, Sequence)>,
 }
 
 /// The medium in which little is lost along the ray, and its weights.
@@ -357,7 +355,6 @@ pub(super) fn places(
         place: chosen.place,
         sequence,
         wall: chosen.wall,
-        alike: left[1..].iter().map(|r| (r.place, r.sequence)).collect(),
     }))
 }
 

@@ -59,7 +59,6 @@ pub(super) fn run(
         Places::Several => several(session, &answers, &base)?,
         Places::Samples(samples) => {
             found.parts.place = Some(samples.place);
-            found.parts.alike.clone_from(&samples.alike);
             match influence::influence(session, &answers, &even, &samples)? {
                 Influence::Several => several(session, &answers, &base)?,
                 Influence::Own { whole } => {
