@@ -31,6 +31,8 @@ pub(super) enum What {
     EmptyEnd,
     /// One segment of that depth hides all behind it.
     Opaque(f64),
+    /// Every eighth end of segments holds nothing: where blocks look for what is in them.
+    EmptyEighths,
     /// The last step is a small part of the others.
     ShortLast,
     /// All but the same everywhere.
@@ -57,7 +59,7 @@ pub(super) const USUAL: Make = Make {
 };
 
 /// The kinds: what tells rules apart that differ on few rays has one of its own.
-pub(super) const MAKES: [Make; 24] = [
+pub(super) const MAKES: [Make; 25] = [
     Make {
         name: "smooth",
         segments: [150, 250],
@@ -98,6 +100,7 @@ pub(super) const MAKES: [Make; 24] = [
     },
     Make {
         name: "middling",
+        partial: 0,
         ..USUAL
     },
     Make {
@@ -119,6 +122,14 @@ pub(super) const MAKES: [Make; 24] = [
         what: What::Gaps,
         whole: 0,
         partial: 1,
+        ..USUAL
+    },
+    Make {
+        name: "empty at every eighth end",
+        segments: [48, 48],
+        what: What::EmptyEighths,
+        whole: 1,
+        partial: 0,
         ..USUAL
     },
     Make {

@@ -106,7 +106,10 @@ pub(super) fn hold_out(
     let mut random = Random::new(97);
     let mut out = HoldOut::default();
     for make in MAKES {
-        let has_gaps = matches!(make.what, What::Gaps | What::EmptyEnd | What::OneName);
+        let has_gaps = matches!(
+            make.what,
+            What::Gaps | What::EmptyEnd | What::EmptyEighths | What::OneName
+        );
         if (has_gaps && terms.no_vacuum)
             || (make.what == What::Negative && !terms.negative)
             || (session.is_short() && !CORE.contains(&make.name))

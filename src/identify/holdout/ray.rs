@@ -52,6 +52,11 @@ pub(super) fn ray(
                 (edges[0], middles[0]) = (0.0, 0.0);
             }
         }
+        What::EmptyEighths => {
+            for tau in edges.iter_mut().step_by(8) {
+                *tau = 0.0;
+            }
+        }
         What::Opaque(depth) => {
             let at = n / 3;
             let opaque = depth * terms.typical / step;
