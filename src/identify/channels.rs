@@ -39,25 +39,9 @@ pub(super) fn channels(
     noise: f64,
 ) -> Result<(Channels, Option<NotIdentified>), NotIdentified> {
     let three = constants(session, &[0.125, 0.25, 0.5])?;
-    let mut random = Random::new(3);
-    let layers = even(session);
-    let n = layers.count();
-    let one = Emission::of(n, |_| random.within(0.1, 0.4));
-    let ray = session.ray(&layers, &[one.clone(), one.clone(), one]);
     // Few rays go to what is more likely.
-    let same = if session.is_short() {
-        vec![0.0]
-    } else {
-        session.ask(&ray)?
-    };
-    let spread = spread(&same);
-    // Sums in another order differ by rounding.
-    let rounding = 64.0 * f64::EPSILON + noise;
-    if spread > rounding * same[0].abs() && !state.seed {
-        return Err(
-            NotIdentified::new("channels of the same emission have different answers")
-                .with_answers(&[same]),
-        );
+    if !session.is_short() && !state.seed {
+        are_alike(session, noise)?;
     }
     if three[0].to_bits() == three[1].to_bits() && three[1].to_bits() == three[2].to_bits() {
         let turned = constants(session, &[0.5, 0.25, 0.125])?;
@@ -114,6 +98,24 @@ pub(super) fn channels(
     let reason = format!("with 7 channels at once {reason}, with 3 they do");
     let odd = NotIdentified::new(reason).with_answers(&[seven]);
     Ok((*found, Some(odd)))
+}
+
+/// Three channels of the same emission.
+fn are_alike(session: &mut Session<'_>, noise: f64) -> Result<(), NotIdentified> {
+    let mut random = Random::new(3);
+    let layers = even(session);
+    let one = Emission::of(layers.count(), |_| random.within(0.1, 0.4));
+    let ray = session.ray(&layers, &[one.clone(), one.clone(), one]);
+    let same = session.ask(&ray)?;
+    // Sums in another order differ by rounding.
+    let rounding = 64.0 * f64::EPSILON + noise;
+    if spread(&same) > rounding * same[0].abs() {
+        return Err(
+            NotIdentified::new("channels of the same emission have different answers")
+                .with_answers(&[same]),
+        );
+    }
+    Ok(())
 }
 
 fn spread(values: &[f64]) -> f64 {

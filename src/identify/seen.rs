@@ -29,7 +29,8 @@ const DEEP: f64 = 8.0;
 
 impl Identification {
     /// Whether the rule that is named answers a ray as the kernel has, channel by channel; answers that are not finite
-    /// are nobody's. `None` where no rule is named, where it reads volumes, or where answers depend on more than rays.
+    /// are nobody's. `None` where no rule is named, where it reads volumes, where answers depend on more than rays, or where the
+    /// rule has no value that others have, too.
     #[must_use]
     pub fn agrees(&self, seen: &Seen<'_>) -> Option<Vec<bool>> {
         let rule = self.named()?;
@@ -44,7 +45,7 @@ impl Identification {
             ..Answers::default()
         };
         if is_too_deep(rule, seen.segments) {
-            return Some(vec![true; seen.answers.len()]);
+            return None;
         }
         let known = of_places(rule, &known);
         let count = seen.answers.len();

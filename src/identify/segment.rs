@@ -1,12 +1,14 @@
 //! Segments with weights at both ends and in the middle: read off rays of one segment and of two.
 
 use super::NotIdentified;
+use super::least_squares::solve;
 use super::number::simplest;
 use super::random::Random;
 use super::ray::{Emission, Layers};
 use super::rule::{Node, Scale, Scheme, Segment, Three};
 use super::session::Session;
 use super::weights::{Answers, all_nodes, impulse};
+use crate::real::Native;
 use rug::Rational;
 
 /// One segment.
@@ -173,34 +175,9 @@ fn dot(c: &[f64; 3], x: &[f64; 3]) -> f64 {
     c.iter().zip(x).map(|(c, x)| c * x).sum()
 }
 
-/// Least squares with three unknowns.
+/// Three unknowns, by least squares.
 fn linear(rows: &[([f64; 3], f64)]) -> Option<[f64; 3]> {
-    let mut matrix = [[0.0; 4]; 3];
-    for (x, y) in rows {
-        for i in 0..3 {
-            for j in 0..3 {
-                matrix[i][j] += x[i] * x[j];
-            }
-            matrix[i][3] += x[i] * y;
-        }
-    }
-    for i in 0..3 {
-        let pivot = (i..3).max_by(|u, v| matrix[*u][i].abs().total_cmp(&matrix[*v][i].abs()))?;
-        matrix.swap(i, pivot);
-        if matrix[i][i].abs() < 1e-12 {
-            return None;
-        }
-        for k in 0..3 {
-            if k != i {
-                let part = matrix[k][i] / matrix[i][i];
-                let row = matrix[i];
-                for (to, from) in matrix[k].iter_mut().zip(row) {
-                    *to -= part * from;
-                }
-            }
-        }
-    }
-    Some([0, 1, 2].map(|i| matrix[i][3] / matrix[i][i]))
+    solve(rows, [true; 3], &|(x, _)| *x, &|(_, y)| *y)
 }
 
 /// The fraction with the smallest denominator within a tolerance; the simplest decimal where that is large.
@@ -218,12 +195,13 @@ fn fraction(x: f64, tolerance: f64) -> Rational {
 /// The form of the weights, and their scale.
 fn forms(all: &[One], depth: &[Rational; 3], tolerance: f64) -> Option<(Segment, f64)> {
     let fits = |form: &Segment, scale: f64| {
+        let linear = form.linear(Native::<f64>::new());
         all.iter().all(|one| {
             let three = Three {
                 extinction: one.extinction,
                 length: one.length,
             };
-            let want = form.of(&three, &three.depth(depth));
+            let want = form.of(&three, &three.depth(depth), linear.as_ref());
             let mut both = want.iter().zip(&one.weights);
             both.all(|(want, got)| (scale * want - got).abs() <= tolerance * scale.abs().max(1.0))
         })
@@ -255,12 +233,13 @@ fn forms(all: &[One], depth: &[Rational; 3], tolerance: f64) -> Option<(Segment,
         Segment::Halves,
         Segment::LinearInDepth { swapped: true },
     ] {
+        let linear = form.linear(Native::<f64>::new());
         let first = all.first()?;
         let three = Three {
             extinction: first.extinction,
             length: first.length,
         };
-        let want = form.of(&three, &three.depth(depth));
+        let want = form.of(&three, &three.depth(depth), linear.as_ref());
         let scale = first.weights[0] / want[0];
         let scale = simplest(
             scale * (1.0 - 4.0 * tolerance),

@@ -1,9 +1,10 @@
 //! A rule applied to the medium of a ray: what every node weighs.
 
 use super::scheme::Three;
-use super::{End, Extra, LastStep, Place, Rule, Scheme, Segment, Stop, StopBy, Wall, Whole};
+use super::{Extra, LastStep, Place, Rule, Scheme, Segment, Stop, StopBy, Wall, Whole};
 use crate::kernel::Segments;
 use crate::real::{Format, Real};
+use rug::Rational;
 
 /// Where a value stands.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
@@ -117,20 +118,25 @@ impl Rule {
         let n = ray.count();
         let lambda = &ray.edges.lambda;
         let whole = format.binary64(lambda.last().copied().unwrap_or(0.0));
-        let mut lengths: Vec<f64> = ray.lengths().collect();
-        let last = lengths.last().copied().unwrap_or(step);
-        let partial = last < step * (1.0 - 1e-9);
+        let ends = lambda.iter().zip(lambda.iter().skip(1));
+        let mut lengths: Vec<F::Real> = ends
+            .map(|(&near, &far)| difference(far, near, format))
+            .collect();
+        let step_of = || format.binary64(step);
+        let last = lengths.last().cloned().unwrap_or_else(step_of);
+        let shortest = step_of() * &(format.int(1) - &format.fraction(1, 1_000_000_000));
+        let partial = last < shortest;
         match self.sequence.last_step {
             LastStep::Own | LastStep::Dropped => {}
-            LastStep::Whole => lengths.fill(step),
+            LastStep::Whole => lengths.fill(step_of()),
             LastStep::Even => {
-                let even = lambda.last().copied().unwrap_or(0.0) / n.max(1) as f64;
-                lengths.fill(even);
+                let count = i64::try_from(n.max(1)).unwrap_or(i64::MAX);
+                lengths.fill(whole.clone() / &format.int(count));
             }
         }
         let too_many = match self.sequence.extra {
             Some(Extra::Last) => last,
-            Some(Extra::Step) | None => step,
+            Some(Extra::Step) | None => step_of(),
         };
         let back = matches!(
             self.scheme,
@@ -142,8 +148,9 @@ impl Rule {
         let order = self.sequence.order(n, partial, back);
         let length_of = |index: isize| {
             let own = usize::try_from(index).ok().and_then(|i| lengths.get(i));
-            format.binary64(own.copied().unwrap_or(too_many))
+            own.unwrap_or(&too_many).clone()
         };
+        let linear = self.scheme.linear(format);
         let mut layers: Vec<Layer<F::Real>> = order
             .iter()
             .filter_map(|&index| match &self.scheme {
@@ -169,7 +176,7 @@ impl Rule {
                         length: length_of(index),
                     };
                     let x = three.depth(depth);
-                    let mut all = weights.of(&three, &x);
+                    let mut all = weights.of(&three, &x, linear.as_ref());
                     if (scale.0 - 1.0).abs() > 0.0 {
                         let scale = format.binary64(scale.0);
                         for w in &mut all {
@@ -294,16 +301,22 @@ impl Rule {
     pub(in crate::identify) fn largest_scale(&self) -> f64 {
         self.scheme.scale().abs().max(1.0)
     }
+}
 
-    /// Whether every segment is sampled once, in order.
-    #[must_use]
-    pub fn takes_all(&self) -> bool {
-        self.sequence.first == End::Once
-            && self.sequence.last == End::Once
-            && self.sequence.extra.is_none()
-            && self.sequence.unrolled == 1
-            && self.sequence.most.is_none()
+/// far − near, rounded once.
+fn difference<F: Format>(far: f64, near: f64, format: F) -> F::Real {
+    let rounded = far - near;
+    // What rounding took (Knuth's two-sum): nothing of neighbours on a ray, but for the very first.
+    let taken = far - rounded;
+    let lost = (far - (rounded + taken)) - (near - taken);
+    if lost == 0.0 {
+        return format.binary64(rounded);
     }
+    let exact = Rational::from_f64(far).zip(Rational::from_f64(near));
+    exact.map_or_else(
+        || format.binary64(f64::NAN),
+        |(far, near)| format.ratio(&(far - near)),
+    )
 }
 
 /// τ at a node.

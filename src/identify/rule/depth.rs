@@ -16,18 +16,6 @@ impl Power {
     /// 1.
     pub const ONE: Power = Power { halves: 2 };
 
-    /// The nearest one, where it is within `tolerance`.
-    #[must_use]
-    pub fn near(exponent: f64, tolerance: f64) -> Option<Self> {
-        let halves = (2.0 * exponent).round();
-        let is_near = (2.0 * exponent - halves).abs() <= 2.0 * tolerance && halves.abs() <= 8.0;
-        // Within ±8.
-        #[allow(clippy::cast_possible_truncation)]
-        is_near.then_some(Power {
-            halves: halves as i8,
-        })
-    }
-
     /// The exponent.
     #[must_use]
     pub fn exponent(self) -> f64 {

@@ -43,6 +43,14 @@ pub enum Scheme {
 }
 
 impl Scheme {
+    /// The points that its segments take; `None` where they take none.
+    pub(super) fn linear<F: Format>(&self, format: F) -> Option<LinearSegments<F::Real>> {
+        match self {
+            Scheme::Sample { .. } => None,
+            Scheme::Segments { weights, .. } => weights.linear(format),
+        }
+    }
+
     /// What all weights are multiplied by.
     #[must_use]
     pub fn scale(&self) -> f64 {
@@ -120,8 +128,19 @@ impl<R: Real> Three<R> {
 }
 
 impl Segment {
-    /// The weights in front, in the middle and at the back of a segment of depth x.
-    pub(crate) fn of<R: Real>(&self, three: &Three<R>, x: &R) -> [R; 3] {
+    /// The points that it takes; `None` where it takes none.
+    pub(crate) fn linear<F: Format>(&self, format: F) -> Option<LinearSegments<F::Real>> {
+        (*self == Segment::Linear).then(|| LinearSegments::new(format))
+    }
+
+    /// The weights in front, in the middle and at the back of a segment of depth x, by the points of
+    /// [`Segment::linear`].
+    pub(crate) fn of<R: Real>(
+        &self,
+        three: &Three<R>,
+        x: &R,
+        linear: Option<&LinearSegments<R>>,
+    ) -> [R; 3] {
         let format = x.format();
         let zero = || format.int(0);
         let [front, middle, back] = &three.extinction;
@@ -141,14 +160,13 @@ impl Segment {
                 }
             }
             Segment::Linear => {
-                let rule = LinearSegments::new(format);
                 let lit = |near: i64, far: i64| {
                     let end = |extinction: &R, emission: i64| Transfer {
                         extinction: extinction.clone(),
                         emission: format.int(emission),
                     };
                     let (near, far) = (end(front, near), end(back, far));
-                    rule.segment(&near, &far, &three.length).0
+                    linear.map_or_else(zero, |rule| rule.segment(&near, &far, &three.length).0)
                 };
                 [lit(1, 0), zero(), lit(0, 1)]
             }

@@ -195,3 +195,25 @@ fn methods_with_other_nodes_state_no_rule() {
         assert_eq!(stated(&method(name)), None, "{name}");
     }
 }
+
+/// 1.1 − 0.001 is no binary64: at 400 bits a length is the difference itself.
+#[test]
+fn lengths_are_differences_in_the_format() {
+    let samples = |lambda: Vec<f64>| Samples {
+        extinction: vec![0.7; lambda.len()],
+        emission: vec![vec![1.0; lambda.len()]],
+        lambda,
+    };
+    let ray = Segments {
+        edges: samples(vec![0.0, 1e-3, 1.1]),
+        middles: samples(vec![5e-4, 0.55]),
+    };
+    let exact = |x: f64| Float::with_val(400, x);
+    // Of an even medium 1 − e^(−τD), in however many segments.
+    let depth = exact(0.7) * exact(1.1);
+    let want = -Float::exp_m1(-depth);
+    let format = Mpfr { bits: 400 };
+    let got = Rule::default().answers(&ray, 1.1, format)[0].to_float();
+    let off = (got - want).abs().to_f64();
+    assert!(off < 1e-110, "{off:e}");
+}
