@@ -193,6 +193,7 @@ fn ask_both(
             typical: 1.0,
             no_vacuum: fails(one) || fails(other),
             negative: false,
+            right: None,
         },
     )?;
     found.unanswered = held.kinds.iter().map(|kind| kind.unanswered).sum();

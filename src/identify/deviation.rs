@@ -3,7 +3,7 @@
 
 use super::part::{Part, Stated, parts};
 use super::rule::{Law, Rule, Scale, Scheme, Segment};
-use super::state::{Batch, Repeat, State};
+use super::state::{Batch, Name, Repeat, State};
 use super::{Bracket, Identification, Parameter, VacuumFails};
 use rug::Rational;
 
@@ -173,8 +173,13 @@ fn bracket(part: Part, brackets: &[Bracket]) -> Option<(f64, f64)> {
 const TWICE: &str = "the same ray asked again";
 const TOGETHER: &str = "several rays in one request";
 
+/// What has another answer after others were asked, and what is said of it.
+const DRIFT: &str = "earlier-rays";
+const DRIFTS: &str = "an answer depends on the rays asked before";
+
 /// Deviations that no single ray shows: what answers depend on beside the question.
-const OF_STATE: [&str; 7] = [
+const OF_STATE: [&str; 8] = [
+    DRIFT,
     "first-answer",
     "previous-answer",
     "noise",
@@ -207,6 +212,10 @@ pub fn misbehaviour(found: &Identification) -> Vec<Deviation> {
     let mut all = Vec::new();
     if let Some(state) = &found.state {
         all.extend(of_state(state, plain));
+    }
+    // What was seen of its state before is why.
+    if found.hold_out.drifts && all.is_empty() {
+        all.push(plain(DRIFT, "a ray asked again at the end", DRIFTS));
     }
     match found.parts.vacuum_fails {
         None => {}
@@ -244,6 +253,7 @@ fn of_state(
             value: Some(part),
             ..plain("noise", TWICE, "answers to the same question differ")
         }),
+        Repeat::Drifts => Some(plain(DRIFT, TWICE, DRIFTS)),
     };
     let batch = match state.batch {
         Batch::Same => None,
@@ -258,13 +268,16 @@ fn of_state(
             "an answer depends on the other rays of its request",
         )),
     };
-    let name = state.name.then(|| {
-        plain(
-            "answers-by-name",
-            "other data under the same name",
+    let by_name = |does| plain("answers-by-name", "other data under the same name", does);
+    let name = match state.name {
+        Name::Nothing => None,
+        Name::First => Some(by_name(
             "another ray of the same name has the first one's answer",
-        )
-    });
+        )),
+        Name::Mixed => Some(by_name(
+            "another ray of the same name has another answer than under its own",
+        )),
+    };
     let seed = state.seed.then(|| {
         plain(
             "seed",

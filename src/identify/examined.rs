@@ -6,7 +6,7 @@ use super::opacity_answered::{self, OpacityAnswered};
 use super::rule::Rule;
 use super::session::{Budget, Spent};
 use super::witness::{Witness, witness};
-use super::{Identification, NotIdentified, covered, identify, volume};
+use super::{Identification, NotIdentified, covered, identify, precision, volume};
 use crate::kernel::{Declaration, Kernel};
 
 /// What was found out about a kernel, and what that means.
@@ -158,6 +158,7 @@ fn all_deviations(
         all.extend(scattered.deviations(found));
     }
     let excused = |deviation: &Deviation| declaration.stochastic && deviation.name == "seed";
+    all.extend(precision::deviation(found, declaration));
     all.extend(misbehaviour(found).into_iter().filter(|d| !excused(d)));
     all
 }

@@ -2,7 +2,7 @@
 
 use super::rule::{self, Place, Rule};
 use super::scattered::Scattered;
-use super::{HoldOut, NotIdentified, Optics, Spent, State};
+use super::{Accumulation, HoldOut, NotIdentified, Optics, Spent, State};
 
 /// What was found out about a kernel.
 #[derive(Clone, Debug, Default)]
@@ -23,6 +23,8 @@ pub struct Identification {
     pub hold_out: HoldOut,
     /// What could not be read off.
     pub not_identified: Vec<NotIdentified>,
+    /// In what order contributions are added.
+    pub accumulation: Option<Accumulation>,
     /// What it cost.
     pub spent: Spent,
 }
@@ -42,12 +44,14 @@ pub struct Parts {
     pub output: Option<rule::Output>,
     /// Whose answer stands where.
     pub channels: Option<rule::Channels>,
-    /// 2^(−p) of the narrowest format that holds all answers.
+    /// The largest part of an answer that rounding takes, by the fewest digits that hold all of them.
     pub unit: Option<f64>,
     /// By what answers to the same question differ.
     pub noise: f64,
     /// The relative precision of what one segment lets through, where it is coarser than that of the answers.
     pub grain: f64,
+    /// Transmittances are 1 less the opacity so far, and rounded to a unit of 1.
+    pub subtracts: bool,
     /// Where one sample a segment lies.
     pub place: Option<Place>,
     /// Rays, or segments, that hold nothing have no finite answer.

@@ -5,6 +5,7 @@
 //! part of the [`Rule`] off, or says that it could not and what it measured; a rule is named where it predicts the
 //! answers to rays that it was not found with.
 
+mod accumulation;
 mod against;
 mod channels;
 mod covered;
@@ -26,6 +27,7 @@ mod output;
 mod part;
 mod places;
 mod pose;
+mod precision;
 mod random;
 mod ray;
 pub mod rule;
@@ -40,6 +42,7 @@ mod volume;
 mod weights;
 mod witness;
 
+pub use accumulation::Accumulation;
 pub use against::{Against, Difference, Known, against, differences};
 pub use deviation::{Deviation, deviations, misbehaviour, right_of};
 pub use examined::{Examined, Verdict, examine};
@@ -48,12 +51,13 @@ pub use holdout::{HoldOut, Kind, Miss};
 pub use identification::{Bracket, Identification, Parameter, Parts, VacuumFails};
 pub use opacity_answered::OpacityAnswered;
 pub use part::{Part, Stated, parts};
+pub use precision::Precision;
 pub use ray::Ray;
 pub use rule::Rule;
 pub use scattered::Scattered;
 pub use seen::Seen;
 pub use session::{Budget, Silence, Spent};
-pub use state::{Batch, Repeat, State};
+pub use state::{Batch, Name, Repeat, State};
 pub use stated::stated;
 pub use volume::{Lookup, Optics};
 pub use witness::{TaskError, Witness, witness};
@@ -105,6 +109,7 @@ pub fn held_out(
         typical: factor.recip(),
         no_vacuum: false,
         negative: true,
+        right: None,
     };
     holdout::hold_out(&mut session, rule, &terms)
 }

@@ -3,11 +3,10 @@
 use super::Identification;
 use super::deviation::Deviation;
 use super::holdout::{OpacityCheck, check_opacity};
-use super::part::short;
 use super::ray::{Emission, Layers, Ray};
 use super::rule::Rule;
 use super::session::{Budget, Session, Spent};
-use super::witness::{answers, described};
+use super::witness::{answers, described, told_apart};
 use crate::kernel::{FormKind, Kernel};
 use std::fmt;
 
@@ -25,7 +24,7 @@ pub struct OpacityAnswered {
 impl fmt::Display for OpacityAnswered {
     /// `n = 1, d = 1, τ = 1: 0.5 where 1 − T is 0.6321`.
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let (got, want) = (rounded(self.got), rounded(self.want));
+        let [got, want] = told_apart(self.got, self.want);
         let ray = described(&self.ray);
         write!(f, "{ray}: {got} where 1 − T is {want}")
     }
@@ -37,11 +36,6 @@ pub(super) const NAME: &str = "opacity-answered";
 /// Extinctions of the rays that are asked, of 1, 2 and 5 segments.
 const TAUS: [f64; 6] = [1.0, 3.0, 0.1, 10.0, 0.001, 50.0];
 const COUNTS: [usize; 3] = [1, 2, 5];
-
-fn rounded(x: f64) -> String {
-    let short_of: Option<f64> = format!("{x:.3e}").parse().ok();
-    short(short_of.unwrap_or(x))
-}
 
 /// Where opacities that were answered are not 1 − T.
 pub(super) fn deviation(

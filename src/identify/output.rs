@@ -2,6 +2,7 @@
 
 use super::channels::{constants, even};
 use super::number::simplest_near;
+use super::precision::Precision;
 use super::random::Random;
 use super::ray::Emission;
 use super::rule::{Curve, Output};
@@ -87,7 +88,7 @@ pub(super) fn output(
     let quantum = quantum(&every);
     answers.output.quantum = quantum;
     if quantum.is_none() {
-        answers.unit = unit(&every);
+        answers.unit = Precision::of(&every).unit();
     }
     let mut mapped = Mapped {
         answers,
@@ -378,18 +379,4 @@ pub(super) fn quantum(answers: &[f64]) -> Option<f64> {
 /// Of whole numbers.
 fn gcd(a: f64, b: f64) -> f64 {
     if b < 0.5 { a } else { gcd(b, a % b) }
-}
-
-/// 2^(−p) of the narrowest format that holds all answers.
-pub(super) fn unit(answers: &[f64]) -> f64 {
-    for bits in [8, 11, 24] {
-        let holds = |y: &f64| {
-            let rounded = rug::Float::with_val(bits, *y).to_f64();
-            rounded.to_bits() == y.to_bits()
-        };
-        if answers.iter().all(holds) {
-            return (-f64::from(bits)).exp2();
-        }
-    }
-    f64::EPSILON / 2.0
 }

@@ -70,6 +70,10 @@ const MIDDLE: &str = "samples in the middle of segments";
 
 /// Seeds whose places are looked at.
 const PLACES: u64 = 48;
+/// Segments of a thin ray.
+const MANY: usize = 64;
+/// Their depth.
+const THIN: f64 = 1e-4;
 /// Seeds of the means that are held out.
 const MEANS: u64 = 24;
 /// Own draws that they are compared with.
@@ -134,19 +138,39 @@ pub(super) fn scattered(
         )
         .with_rows(&["place"], places.iter().map(|p| vec![*p]).collect()));
     }
-    // Over eight thin segments one shift has eight times the variance of eight shifts.
-    let (thin, _) = law.of(&1e-4, &1.0, &8.0);
-    let mut sums = Vec::new();
+    // Of continuous places no two are the same.
+    let apart = 16.0 * answers.unit;
+    if places.windows(2).any(|w| w[1] - w[0] <= apart) {
+        return Err(
+            NotIdentified::new("the places of samples, by seed, are few")
+                .with_rows(&["place"], places.iter().map(|p| vec![*p]).collect()),
+        );
+    }
+    // Σ wᵢ (i + uᵢ) over thin segments; one shift has n times the variance of n shifts.
+    let (thin, passes) = law.of(&THIN, &1.0, &(MANY as f64));
+    let weights = std::iter::successors(Some(thin), |w| Some(w * passes));
+    let weights: Vec<f64> = weights.take(MANY).collect();
+    let fronts: f64 = weights.iter().enumerate().map(|(i, w)| i as f64 * w).sum();
+    let whole: f64 = weights.iter().sum();
+    let mut means = Vec::new();
     for seed in 1..=MEANS {
         let ray = Even {
-            tau: 1e-4,
+            tau: THIN,
             length: 1.0,
-            n: 8,
+            n: MANY,
             seed,
         };
-        sums.push(answer(session, answers, &ray, Emission::of(8, |i| i))? / thin);
+        let y = answer(session, answers, &ray, Emission::of(MANY, |i| i))?;
+        means.push((y - fronts) / whole);
     }
-    let one_shift = variance(&sums) > 2.0;
+    let spread = variance(&means);
+    let mean = means.iter().sum::<f64>() / MEANS as f64;
+    if (mean - 0.5).abs() > FARTHEST * (spread / MEANS as f64).sqrt() {
+        let reason = format!("samples lie at {mean:.3} of their segments in the mean");
+        return Err(NotIdentified::new(reason)
+            .with_rows(&["mean place"], means.iter().map(|p| vec![*p]).collect()));
+    }
+    let one_shift = spread > 8.0 / 12.0 / MANY as f64;
     let farthest = held_out(session, answers, &law, one_shift)?;
     Ok(Scattered {
         law,

@@ -21,8 +21,9 @@ struct One {
     passes: f64,
 }
 
-/// Triples of rays.
+/// Triples of rays; and where there are few, of three weights each for no more than six unknowns.
 const TRIPLES: usize = 10;
+const FEW_TRIPLES: usize = 4;
 /// Lengths of segments.
 const LENGTHS: [f64; 3] = [0.25, 1.0, 0.6];
 
@@ -34,7 +35,12 @@ pub(super) fn segments(
     let tolerance = 1e-10 + 512.0 * answers.unit + 8.0 * answers.noise;
     let mut random = Random::new(61);
     let mut all = Vec::new();
-    for k in 0..TRIPLES {
+    let triples = if session.is_short() {
+        FEW_TRIPLES
+    } else {
+        TRIPLES
+    };
+    for k in 0..triples {
         let length = LENGTHS[k % LENGTHS.len()];
         let edges = random.many(3, 0.05, 2.5);
         let middles = random.many(2, 0.05, 2.5);

@@ -157,6 +157,11 @@ impl<'k> Session<'k> {
         layers.ray(name, emission)
     }
 
+    /// A kernel that remembers nothing, where it can be had.
+    pub(super) fn restart(&mut self) {
+        self.kernel.restart();
+    }
+
     fn count(&mut self, segments: usize) -> Result<(), Silence> {
         if self.spent.rays >= self.budget.rays {
             return Err(Silence::Budget(format!("{} rays", self.budget.rays)));

@@ -1,5 +1,7 @@
 //! The stages, one after the other: each reads a part off, and knows of those before it alone.
 
+use super::accumulation::accumulation;
+use super::deviation::right_of;
 use super::ends::{self, Lone, Vacuum};
 use super::influence::{self, Influence};
 use super::opacity::{self, measure::Measurer};
@@ -66,6 +68,7 @@ pub(super) fn run(
                         answers: &answers,
                         samples: &samples,
                         whole,
+                        subtracts: false,
                     };
                     one_sample(session, &measurer, &base, found, lean)?
                 }
@@ -83,11 +86,13 @@ pub(super) fn run(
         grain: sampled.grain,
         ..answers
     };
+    let right = right_of(&sampled.rule);
     let terms = holdout::Terms {
         answers: &answers,
         typical: sampled.typical,
         no_vacuum: fails.part_fails,
         negative: mapped.takes_negative,
+        right: (right != sampled.rule).then_some(&right),
     };
     // What was found out is tried on rays that know nothing of it.
     (session.pose, session.divides) = (poses, divides);
@@ -95,6 +100,14 @@ pub(super) fn run(
         Some(optics) => volume::hold_out(session, &sampled.rule, optics, &terms)?,
         None => holdout::hold_out(session, &sampled.rule, &terms)?,
     };
+    if found.hold_out.is_whole()
+        && !lean
+        && found.optics.is_none()
+        && sampled.rule.lattice.is_none()
+    {
+        let thin = sampled.typical / 32.0;
+        found.accumulation = accumulation(session, &sampled.rule, &answers, thin)?;
+    }
     found.rule = Some(sampled.rule);
     Ok(())
 }
@@ -163,6 +176,11 @@ fn one_sample(
 ) -> Result<Sampled, NotIdentified> {
     let samples: &Samples = measurer.samples;
     let measured = opacity::measure(session, measurer, lean)?;
+    found.parts.subtracts = measured.subtracts;
+    let measurer = &Measurer {
+        subtracts: measured.subtracts,
+        ..measurer.clone()
+    };
     let reference = measured.reference(0.25).map_or(0.125, |r| r.extinction);
     let vacuum = ends::vacuum(session, measurer, reference)?;
     let fitted = opacity::law(session, measurer, &measured, vacuum.eps)?;

@@ -14,8 +14,20 @@ pub struct State {
     pub seed: bool,
     /// An answer depends on the other tasks of its request.
     pub batch: Batch,
-    /// Another ray of the same name has the first one's answer.
-    pub name: bool,
+    /// What comes of another ray of the same name.
+    pub name: Name,
+}
+
+/// What comes of asking another ray under the name of one before.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
+pub enum Name {
+    /// Its own answer.
+    #[default]
+    Nothing,
+    /// The first one's answer.
+    First,
+    /// Neither.
+    Mixed,
 }
 
 /// What comes of asking again.
@@ -30,6 +42,8 @@ pub enum Repeat {
     Previous,
     /// Another answer, by up to this part.
     Differs(f64),
+    /// The same answer, until others were asked.
+    Drifts,
 }
 
 /// What comes of asking several rays at once.
@@ -122,11 +136,21 @@ pub(super) fn state(session: &mut Session<'_>) -> Result<(State, f64), NotIdenti
         state.repeat = Repeat::FirstDiffers;
     }
     state.seed = noise == 0.0 && !same(3, 4);
-    state.name = noise == 0.0 && same(5, 4) && !same(5, 1);
+    if noise == 0.0 && !state.seed && !same(5, 1) {
+        // Under its own name once more: what has changed by now has nothing to do with names.
+        let (again, _) = session.once(&b)?;
+        if !is_same(&again, &y[1]) {
+            state.repeat = Repeat::Drifts;
+        } else if same(5, 3) {
+            state.name = Name::First;
+        } else {
+            state.name = Name::Mixed;
+        }
+    }
     if !session.is_short()
         && noise == 0.0
         && !state.seed
-        && !state.name
+        && state.name == Name::Nothing
         && state.repeat == Repeat::Same
     {
         state.batch = batch(session, &a, &b, [&y[0], &y[1]])?;
@@ -134,7 +158,8 @@ pub(super) fn state(session: &mut Session<'_>) -> Result<(State, f64), NotIdenti
     Ok((state, noise))
 }
 
-fn is_same(one: &[f64], other: &[f64]) -> bool {
+/// To the last bit.
+pub(super) fn is_same(one: &[f64], other: &[f64]) -> bool {
     one.len() == other.len()
         && one
             .iter()

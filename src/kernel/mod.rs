@@ -59,4 +59,7 @@ pub trait Kernel: Debug + Send {
     /// Forgets failures: what is asked next has nothing to do with what was asked before. One that was given up
     /// is tried again.
     fn renew(&mut self) {}
+
+    /// Forgets all that was asked, where it can: a program is started anew.
+    fn restart(&mut self) {}
 }

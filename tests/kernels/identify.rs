@@ -10,6 +10,7 @@ mod forms;
 mod linear;
 mod pairs;
 mod random;
+mod rounding;
 mod stated;
 mod witness;
 mod words;

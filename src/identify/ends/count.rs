@@ -16,9 +16,9 @@ const LEAN: [usize; 2] = [7, 13];
 /// Groups that loops are unrolled by.
 const GROUPS: [u64; 7] = [2, 4, 8, 16, 3, 5, 7];
 /// Segments of a long ray.
-const LONG: usize = 1_200;
+const LONG: usize = 4_300;
 /// Borders looked at in one ray.
-const AT_ONCE: usize = 42;
+const AT_ONCE: usize = 13;
 
 /// The sequence with its counts.
 pub(in crate::identify) fn counts(

@@ -32,7 +32,7 @@ pub(super) fn about_the_end(
         ..USUAL
     };
     for _ in 0..2 {
-        let shape = ray(session, random, make, false, terms);
+        let shape = ray(session, random, make, (false, 0), terms);
         let scaled = |scale: f64| {
             let mut ray = shape.clone();
             let all = [&mut ray.segments.edges, &mut ray.segments.middles];

@@ -25,7 +25,7 @@ pub(super) struct Make {
 pub(super) enum What {
     /// Everywhere something.
     Full,
-    /// Four of ten segments hold nothing.
+    /// Four of ten nodes absorb nothing, and three of ten shine in no channel.
     Gaps,
     /// The last segment holds nothing; or the first.
     EmptyEnd,
@@ -43,7 +43,8 @@ pub(super) enum What {
     Smooth,
     /// The same everywhere.
     Even,
-    /// As many as these, with gaps, that have one name.
+    /// As many as these, with gaps, that have one name: each has the same values as the first, in another order but at the
+    /// ends.
     OneName,
 }
 
@@ -59,7 +60,7 @@ pub(super) const USUAL: Make = Make {
 };
 
 /// The kinds: what tells rules apart that differ on few rays has one of its own.
-pub(super) const MAKES: [Make; 25] = [
+pub(super) const MAKES: [Make; 24] = [
     Make {
         name: "smooth",
         segments: [150, 250],
@@ -170,14 +171,7 @@ pub(super) const MAKES: [Make; 25] = [
         name: "with next to nothing as a last step",
         what: What::ShortLast,
         whole: 0,
-        partial: 2,
-        ..USUAL
-    },
-    Make {
-        name: "bright",
-        bright: 20.0,
-        whole: 1,
-        partial: 0,
+        partial: 1,
         ..USUAL
     },
     Make {
@@ -217,7 +211,7 @@ pub(super) const MAKES: [Make; 25] = [
     },
     Make {
         name: "of very many segments",
-        segments: [1_190, 1_210],
+        segments: [4_100, 4_300],
         whole: 1,
         partial: 0,
         ..USUAL

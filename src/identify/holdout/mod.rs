@@ -4,9 +4,11 @@ mod compare;
 mod early;
 mod kinds;
 mod ray;
+mod told;
 
 pub(super) use compare::{Compared, SLOPE, check_opacity, compare, of_places};
 
+use super::precision::Precision;
 use super::random::Random;
 use super::ray::Ray;
 use super::rule::{Rule, Scheme};
@@ -15,6 +17,7 @@ use super::weights::Answers;
 use early::about_the_end;
 use kinds::{CORE, MAKES, WALL, What};
 use ray::ray;
+use told::Told;
 
 /// A kind of rays, and how the rule did on them.
 #[derive(Clone, Debug, PartialEq)]
@@ -61,6 +64,10 @@ pub struct HoldOut {
     pub misses: Vec<Miss>,
     /// The opacities answered beside 1 − T of the rule.
     pub opacity: OpacityCheck,
+    /// The digits of all answers.
+    pub precision: Option<Precision>,
+    /// A ray asked again at the end, or of a kernel that was started anew, had another answer.
+    pub drifts: bool,
 }
 
 /// Opacities that were answered.
@@ -78,7 +85,7 @@ impl HoldOut {
     /// Whether it holds on every kind.
     #[must_use]
     pub fn is_whole(&self) -> bool {
-        self.kinds.len() >= FEWEST && self.kinds.iter().all(Kind::holds)
+        !self.drifts && self.kinds.len() >= FEWEST && self.kinds.iter().all(Kind::holds)
     }
 }
 
@@ -95,6 +102,8 @@ pub(super) struct Terms<'a> {
     pub(super) no_vacuum: bool,
     /// It takes negative emissions.
     pub(super) negative: bool,
+    /// The rule that is to be named for deviating from this one.
+    pub(super) right: Option<&'a Rule>,
 }
 
 /// Asks rays of all kinds.
@@ -105,6 +114,8 @@ pub(super) fn hold_out(
 ) -> Result<HoldOut, Silence> {
     let mut random = Random::new(97);
     let mut out = HoldOut::default();
+    let mut answers = Vec::new();
+    let mut told = Told::default();
     for make in MAKES {
         let has_gaps = matches!(
             make.what,
@@ -148,11 +159,13 @@ pub(super) fn hold_out(
                 unanswered: 0,
                 digits: 17.0,
             };
-            for _ in 0..rays {
-                let ray = ray(session, &mut random, make, partial, terms);
+            for turn in 0..rays {
+                let ray = ray(session, &mut random, make, (partial, turn), terms);
                 kind.rays += 1;
                 match session.ask_any(&ray) {
                     Ok(got) => {
+                        answers.extend_from_slice(&got);
+                        told.hear(rule, terms, &ray, &got, has_gaps);
                         judge(rule, terms, &ray, &got, &mut kind, &mut out.misses);
                         if let Some(opacity) = session.opacity {
                             let (segments, step) = rule.cut(&ray);
@@ -179,6 +192,8 @@ pub(super) fn hold_out(
         let kind = about_the_end(session, rule, terms, &mut random, &mut out.misses)?;
         out.kinds.extend((kind.rays > 0).then_some(kind));
     }
+    out.precision = Some(Precision::of(&answers));
+    out.drifts = terms.answers.noise == 0.0 && told.changes(session);
     Ok(out)
 }
 

@@ -6,14 +6,21 @@ use crate::identify::random::Random;
 use crate::identify::ray::{Emission, Layers, Ray};
 use crate::identify::session::Session;
 
-/// One ray; `partial` where its last step is shorter.
+/// One ray, the `turn`th of its kind; `partial` where its last step is shorter.
 pub(super) fn ray(
     session: &mut Session<'_>,
     random: &mut Random,
     make: Make,
-    partial: bool,
+    (partial, turn): (bool, usize),
     terms: &Terms<'_>,
 ) -> Ray {
+    // Rays of one name have the same values.
+    let mut same = Random::new(113);
+    let random = if make.what == What::OneName {
+        &mut same
+    } else {
+        random
+    };
     let [fewest, most] = make.segments;
     let n = random
         .integer(fewest, most)
@@ -24,7 +31,7 @@ pub(super) fn ray(
     let step = random.geometric(short, long);
     let last = if partial {
         match make.what {
-            What::ShortLast => random.geometric(2e-3, 0.1),
+            What::ShortLast => random.geometric(2e-3, 4e-3),
             _ => random.within(0.15, 0.95),
         }
     } else {
@@ -87,22 +94,15 @@ pub(super) fn ray(
         What::Full | What::Gaps | What::Negative | What::ShortLast => {}
     }
     let bright = make.bright * if partial { 1.0 } else { 4.0 };
-    let low = if make.what == What::Negative {
-        -bright
-    } else {
-        0.0
-    };
-    let emission: Vec<Emission> = (0..3)
-        .map(|_| match make.what {
-            What::Smooth => {
-                let wave = wave(random);
-                Emission::of(n, |i| 0.5 * bright * wave(i / n as f64))
-            }
-            What::Even => Emission::even(n, random.within(low, bright)),
-            What::NearlyEven => Emission::of(n, |_| bright * random.within(0.995, 1.005)),
-            _ => Emission::of(n, |_| random.within(low, bright)),
-        })
-        .collect();
+    let mut emission = emissions(make.what, n, bright, random);
+    if make.what == What::OneName {
+        let all = emission
+            .iter_mut()
+            .flat_map(|emission| [&mut emission.edges, &mut emission.middles]);
+        for values in all.chain([&mut edges, &mut middles]) {
+            rearrange(values, turn);
+        }
+    }
     let layers = Layers {
         step,
         last,
@@ -116,6 +116,49 @@ pub(super) fn ray(
         ray.name = "probe".into();
     }
     ray
+}
+
+/// The emissions of three channels.
+fn emissions(what: What, n: usize, bright: f64, random: &mut Random) -> Vec<Emission> {
+    let low = if what == What::Negative { -bright } else { 0.0 };
+    let mut emission: Vec<Emission> = (0..3)
+        .map(|_| match what {
+            What::Smooth => {
+                let wave = wave(random);
+                Emission::of(n, |i| 0.5 * bright * wave(i / n as f64))
+            }
+            What::Even => Emission::even(n, random.within(low, bright)),
+            What::NearlyEven => Emission::of(n, |_| bright * random.within(0.995, 1.005)),
+            _ => Emission::of(n, |_| random.within(low, bright)),
+        })
+        .collect();
+    if what == What::Gaps {
+        let mut dark = || random.part() < 0.3;
+        let at_edges: Vec<bool> = (0..=n).map(|_| dark()).collect();
+        let at_middles: Vec<bool> = (0..n).map(|_| dark()).collect();
+        for emission in &mut emission {
+            darken(&mut emission.edges, &at_edges);
+            darken(&mut emission.middles, &at_middles);
+        }
+    }
+    emission
+}
+
+/// Nothing shines there.
+fn darken(values: &mut [f64], dark: &[bool]) {
+    let both = values.iter_mut().zip(dark);
+    both.filter(|(_, dark)| **dark)
+        .for_each(|(value, _)| *value = 0.0);
+}
+
+/// The same values in another order, but for those at the ends: what is made of their sum is no key.
+fn rearrange(values: &mut [f64], turn: usize) {
+    let [_, inside @ .., _] = values else { return };
+    match turn {
+        0 => {}
+        1 => inside.reverse(),
+        _ => inside.rotate_left(inside.len() / 3),
+    }
 }
 
 /// A wave about 1, with two periods or fewer along the ray.

@@ -34,6 +34,19 @@ pub(in crate::identify) struct Measurer<'a> {
     pub(in crate::identify) answers: &'a Answers,
     pub(in crate::identify) samples: &'a Samples,
     pub(in crate::identify) whole: Whole,
+    /// A transmittance is 1 less the opacity so far, and known to a unit of 1.
+    pub(in crate::identify) subtracts: bool,
+}
+
+/// A ray of extinctions between references.
+#[derive(Clone, Debug)]
+pub(in crate::identify) struct Asked {
+    /// Where the extinctions stand.
+    at: Vec<usize>,
+    /// References before the first.
+    lead: usize,
+    /// All samples' weights.
+    weights: Vec<Measured>,
 }
 
 /// The depth of references.
@@ -189,10 +202,7 @@ impl Measurer<'_> {
         reference: &Reference,
         extinctions: &[f64],
     ) -> Result<Vec<Point>, NotIdentified> {
-        let sequence = &self.samples.sequence;
-        let plain = !sequence.late && sequence.first == End::Once && sequence.last == End::Once;
-        let lead = if plain { LEAD / 2 } else { LEAD };
-        let count = extinctions.len();
+        let (lead, count) = (self.lead(), extinctions.len());
         let most = session.most_samples.saturating_sub(lead + TAIL) / 3;
         if count > most.max(1) {
             let mut all = Vec::new();
@@ -203,6 +213,25 @@ impl Measurer<'_> {
             }
             return Ok(all);
         }
+        let asked = self.asked(session, reference, extinctions)?;
+        Ok(self.read(&asked, reference, extinctions))
+    }
+
+    /// References before the first extinction.
+    fn lead(&self) -> usize {
+        let sequence = &self.samples.sequence;
+        let plain = !sequence.late && sequence.first == End::Once && sequence.last == End::Once;
+        if plain { LEAD / 2 } else { LEAD }
+    }
+
+    /// Asks a ray of those extinctions between references.
+    pub(in crate::identify) fn asked(
+        &self,
+        session: &mut Session<'_>,
+        reference: &Reference,
+        extinctions: &[f64],
+    ) -> Result<Asked, NotIdentified> {
+        let (lead, count) = (self.lead(), extinctions.len());
         let n = self.suitable(session, lead + TAIL + 3 * count);
         let mut taus = vec![reference.extinction; n];
         // From the last to the first: given in ascending order the thin ones come last, where a ray may end by them.
@@ -216,15 +245,38 @@ impl Measurer<'_> {
             let pair = at.iter().take(2).any(|at| k == at + 1);
             block || pair || k + 2 == lead || k + 1 == lead
         };
-        let mut w = self.weights_of(session, &taus, reference.length, &tells)?;
-        self.add_rounding(&mut w, &at);
+        let weights = self.weights_of(session, &taus, reference.length, &tells)?;
+        Ok(Asked { at, lead, weights })
+    }
+
+    /// Whether transmittances behind a thick segment are rounded to a unit of 1: what the references there let through is
+    /// not what those in front do.
+    pub(in crate::identify) fn shows_subtraction(&self, asked: &Asked) -> bool {
+        let w = &asked.weights;
+        let through = |far: usize| w[far].value / w[far - 1].value;
+        let (front, back) = (through(asked.lead - 1), through(asked.at[0] + 2));
+        let passed = w[asked.at[0] + 1].value / w[asked.lead - 2].value;
+        let off = (back / front - 1.0).abs();
+        off > 1e3 * self.answers.unit && off < 16.0 * self.answers.unit / passed
+    }
+
+    /// (w, p) of each extinction, and of the reference.
+    pub(in crate::identify) fn read(
+        &self,
+        asked: &Asked,
+        reference: &Reference,
+        extinctions: &[f64],
+    ) -> Vec<Point> {
+        let mut w = asked.weights.clone();
+        let (at, lead, n, count) = (&asked.at, asked.lead, w.len(), extinctions.len());
+        self.add_rounding(&mut w, at, reference.own.value);
         let ratio = |k: usize, by: usize| {
             let (one, other) = (w[k], w[by]);
             let value = one.value / other.value;
             let error = one.error / other.value.abs() + (value * other.error / other.value).abs();
             Measured { value, error }
         };
-        let through = self.through(&w, &at, lead, count);
+        let through = self.through(&w, at, lead, count);
         // From a ray of its own: a factor of the whole ray falls out.
         let own = reference.own;
         let ray = n as f64 * reference.length;
@@ -275,16 +327,21 @@ impl Measurer<'_> {
             },
             passes: through,
         });
-        Ok(points)
+        points
     }
 
-    /// An opacity by subtraction is off by a unit of 1, whatever its size.
-    fn add_rounding(&self, w: &mut [Measured], at: &[usize]) {
-        let of_opacity = 2.0 * self.answers.unit / DEPTH;
+    /// An opacity by subtraction is off by a unit of 1, whatever its size; and so is a transmittance, where it is 1 less the
+    /// opacity so far.
+    fn add_rounding(&self, w: &mut [Measured], at: &[usize], own: f64) {
+        let unit = self.answers.unit;
         let sizes: Vec<f64> = w.iter().map(|w| w.value.abs()).collect();
         for (k, w) in w.iter_mut().enumerate() {
             let reference = if at.contains(&k) { k - 1 } else { k };
-            w.error += of_opacity * sizes[reference];
+            w.error += 2.0 * unit / DEPTH * sizes[reference];
+            if self.subtracts {
+                let transmittance = sizes[reference] / own;
+                w.error += 4.0 * unit / transmittance * w.value.abs();
+            }
         }
     }
 

@@ -17,6 +17,8 @@ use measure::{Measurer, Point, Reference};
 pub(super) struct Measurements {
     pub(super) points: Vec<Point>,
     pub(super) references: Vec<Reference>,
+    /// As [`Measurer::subtracts`].
+    pub(super) subtracts: bool,
 }
 
 impl Measurements {
@@ -59,18 +61,19 @@ const LENGTHS: [f64; 4] = [0.25, 1.0, 0.0625, 0.7];
 const REACH: [f64; 2] = [1e-6, 0.3];
 /// Extinctions of the longest rays.
 const MANY: usize = 18;
-/// Depths of thick segments, by length: those that share a ray let enough through together.
+/// Depths of thick segments, by length: those that share a ray let enough through together. The thickest one comes first: it
+/// shows most of how transmittances are rounded.
 const THICK: [(f64, &[&[f64]]); 2] = [
     (
         1.0,
         &[
-            &[0.5, 1.2],
-            &[0.8, 1.7],
-            &[2.3],
-            &[4.0],
-            &[8.0],
-            &[12.0],
             &[20.0],
+            &[12.0],
+            &[8.0],
+            &[4.0],
+            &[2.3],
+            &[0.8, 1.7],
+            &[0.5, 1.2],
         ],
     ),
     (0.25, &[&[0.6, 1.5], &[1.0, 2.5], &[4.7], &[9.0]]),
@@ -157,6 +160,7 @@ pub(super) fn measure(
     measurer: &Measurer<'_>,
     lean: bool,
 ) -> Result<Measurements, NotIdentified> {
+    let mut measurer = measurer.clone();
     let mut points = Vec::new();
     let mut references = Vec::new();
     let lengths = if lean { &LENGTHS[..2] } else { &LENGTHS };
@@ -191,11 +195,21 @@ pub(super) fn measure(
             };
             // The thinner one stands in front of the thicker one.
             let taus: Vec<f64> = depths.iter().rev().map(tau).collect();
-            let found = measurer.points(session, &reference, &taus)?;
+            let found = if let [tau] = taus[..] {
+                let asked = measurer.asked(session, &reference, &[tau])?;
+                measurer.subtracts |= measurer.shows_subtraction(&asked);
+                measurer.read(&asked, &reference, &[tau])
+            } else {
+                measurer.points(session, &reference, &taus)?
+            };
             points.extend(found.into_iter().take(taus.len()));
         }
     }
-    Ok(Measurements { points, references })
+    Ok(Measurements {
+        points,
+        references,
+        subtracts: measurer.subtracts,
+    })
 }
 
 /// The law with its range, or the table that was measured.

@@ -153,6 +153,12 @@ impl Search<'_, '_, '_> {
         Ok(Some((low, high)))
     }
 
+    /// An opacity is compared as the kernel has it: by subtraction it is off by a unit of 1.
+    fn rounded(&self, (low, high): Bracket) -> Bracket {
+        let off = 2.0 * self.measurer.answers.unit;
+        (low - off, high + off)
+    }
+
     /// Small opacities that count for nothing.
     fn skipped(&mut self, law: &Law) -> Result<Option<Law>, NotIdentified> {
         let nothing = |p: &Point| {
@@ -177,7 +183,7 @@ impl Search<'_, '_, '_> {
         };
         let opacity = |length: f64, (low, high): Bracket| {
             let of = |tau: f64| law.shape.of(&law.depth.of(&tau, &length, &f64::NAN)).0;
-            (of(low), of(high))
+            self.rounded((of(low), of(high)))
         };
         let mut law = law.clone();
         if let Some(both) = overlap(opacity(*one, *first), opacity(*other, *second)) {
@@ -239,7 +245,7 @@ impl Search<'_, '_, '_> {
             let law = law.clone();
             let border = self.border(step, low, high, &|p| has(&law, p, answers))?;
             let unit = |tau: f64| -(-tau * length).exp_m1();
-            brackets.extend(border.map(|(low, high)| (unit(low), unit(high))));
+            brackets.extend(border.map(|(low, high)| self.rounded((unit(low), unit(high)))));
         }
         let mut brackets = brackets.into_iter();
         let first = brackets.next();

@@ -4,6 +4,7 @@ use super::super::Identification;
 use super::super::holdout::{Compared, SLOPE, compare};
 use super::super::output;
 use super::super::pose::Steps;
+use super::super::precision::Precision;
 use super::super::ray::{Emission, Layers, Ray};
 use super::super::rule::Rule;
 use super::super::session::{Session, Silence};
@@ -140,7 +141,7 @@ pub(super) fn precision(
     let quantum = output::quantum(&answers);
     known.parts.unit = Some(match quantum {
         Some(_) => SINGLE,
-        None => output::unit(&answers).max(SINGLE),
+        None => Precision::of(&answers).unit().max(SINGLE),
     });
     let output = known.parts.output.get_or_insert_default();
     output.quantum = output.quantum.or(quantum);

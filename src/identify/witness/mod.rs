@@ -56,17 +56,7 @@ impl Witness {
     /// The answer and what it is to be, with as many digits as tell them apart.
     #[must_use]
     pub fn values(&self) -> [String; 2] {
-        let (got, want) = (self.got, self.want);
-        let part = (got - want).abs() / got.abs().max(want.abs());
-        let digits = if part.is_finite() && part > 0.0 {
-            // At most 17.
-            #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss)]
-            let same = (-part.log10()).clamp(0.0, 17.0) as usize;
-            (same + MORE).clamp(DIGITS, 17)
-        } else {
-            DIGITS
-        };
-        [got, want].map(|y| significant(y, digits))
+        told_apart(self.got, self.want)
     }
 
     fn of(ray: Ray, shown: &Shown) -> Self {
@@ -96,6 +86,20 @@ impl fmt::Display for Witness {
         }
         write!(f, ": {got} where the rule gives {want}")
     }
+}
+
+/// Two numbers with as many digits as tell them apart.
+pub(super) fn told_apart(got: f64, want: f64) -> [String; 2] {
+    let part = (got - want).abs() / got.abs().max(want.abs());
+    let digits = if part.is_finite() && part > 0.0 {
+        // At most 17.
+        #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss)]
+        let same = (-part.log10()).clamp(0.0, 17.0) as usize;
+        (same + MORE).clamp(DIGITS, 17)
+    } else {
+        DIGITS
+    };
+    [got, want].map(|y| significant(y, digits))
 }
 
 /// `n = 2, d = 1, τ = 1 1`: a ray without its emission.

@@ -237,4 +237,8 @@ impl Kernel for ProcessKernel {
     fn renew(&mut self) {
         self.failures = 0;
     }
+
+    fn restart(&mut self) {
+        self.child = None;
+    }
 }

@@ -29,6 +29,14 @@ pub(in crate::report) struct Found<'a> {
     /// What is read of a volume.
     #[serde(skip_serializing_if = "Option::is_none")]
     volume: Option<String>,
+    /// The digits that all answers held out make do with.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    precision: Option<identify::Precision>,
+    /// In what order contributions are added.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    accumulation: Option<identify::Accumulation>,
+    /// Transmittances are 1 less the opacity so far.
+    transmittance_by_subtraction: bool,
     validated: Vec<Held<'a>>,
     deviations: Vec<Deviating<'a>>,
     not_identified: Vec<Open<'a>>,
@@ -198,6 +206,9 @@ pub(in crate::report) fn found(examined: &Examined) -> Result<Found<'_>, ReportE
             standard_errors: scattered.farthest,
         }),
         volume: found.optics.map(|optics| optics.to_string()),
+        precision: found.hold_out.precision,
+        accumulation: found.accumulation,
+        transmittance_by_subtraction: found.parts.subtracts,
         validated: found.hold_out.kinds.iter().map(held).collect(),
         deviations: examined.deviations.iter().map(deviating).collect(),
         not_identified: found.not_identified.iter().map(open).collect(),

@@ -106,7 +106,12 @@ pub fn write(
 fn rule(examined: &Examined) -> Vec<Block> {
     let found = &examined.found;
     let mut blocks = match (found.named(), &found.rule, &found.scattered) {
-        (Some(rule), ..) => formula(rule),
+        (Some(rule), ..) => {
+            let mut blocks = formula(rule);
+            let rounding = words::rounding(found);
+            blocks.extend((!rounding.is_empty()).then_some(Block::Text(rounding)));
+            blocks
+        }
         (None, Some(rule), _) => vec![
             Block::Text(
                 "This rule was read off, and does not hold on all rays: it is not named.".into(),

@@ -1,7 +1,7 @@
 //! Sentences of the report.
 
 use crate::document::Fact;
-use crate::identify::{Deviation, Examined, Scattered, Verdict};
+use crate::identify::{Deviation, Examined, Identification, Scattered, Verdict};
 
 pub(super) fn word(verdict: Verdict) -> &'static str {
     match verdict {
@@ -31,6 +31,24 @@ pub(super) fn conclusion(examined: &Examined) -> String {
         Verdict::NotIdentified => "The rule is not identified".into(),
         Verdict::NoAnswer => "The kernel does not answer".into(),
     }
+}
+
+/// How answers are rounded, as far as that was seen.
+pub(super) fn rounding(found: &Identification) -> String {
+    let mut words = Vec::new();
+    if let Some(precision) = found.hold_out.precision {
+        words.push(format!("Answers have {precision}."));
+    }
+    if let Some(order) = found.accumulation {
+        words.push(format!("Contributions are added {order}."));
+    }
+    if found.parts.subtracts {
+        words.push(
+            "Transmittances are 1 less the opacity so far, and lose their digits behind thick segments."
+                .into(),
+        );
+    }
+    words.join(" ")
 }
 
 /// How far means over seeds are from those of the places that were read off.

@@ -82,7 +82,7 @@ const SINGLE: &[Mutant] = &[
     (FRONT, &[EmissionTwice], &[("weight", None)]),
     (FRONT, &[Swapped], &[("swapped-ends", None)]),
     (FRONT, &[FarWall], &[("wall", None)]),
-    (FRONT, &[Binary32], &[]),
+    (FRONT, &[Binary32], &[("format", Some(24.0))]),
     (MIDDLE, &[Table(64)], &[]),
     (MIDDLE, &[Table(256)], &[]),
     (MIDDLE, &[NearestEntry], &[("table-lookup", None)]),
@@ -160,8 +160,16 @@ const DOUBLE: &[Mutant] = &[
     (FRONT, &[Bits(16), LastDropped], &[]),
     (FRONT, &[Bits(15), Swapped], &[]),
     (FRONT, &[Bits(12), LinearOpacity], &[]),
-    (FRONT, &[Binary32, LastDropped], &[("last-sample", None)]),
-    (FRONT, &[Binary32, SampleMiddle], &[("place", None)]),
+    (
+        FRONT,
+        &[Binary32, LastDropped],
+        &[("last-sample", None), ("format", Some(24.0))],
+    ),
+    (
+        FRONT,
+        &[Binary32, SampleMiddle],
+        &[("place", None), ("format", Some(24.0))],
+    ),
     (
         FRONT,
         &[EmissionUnweighted, FirstDropped],
