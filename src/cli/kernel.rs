@@ -153,7 +153,8 @@ impl KernelArguments {
     }
 }
 
-fn built_in(name: &str) -> Result<Box<dyn Kernel>, Failure> {
+/// A method, NAME[@FORMAT].
+pub(super) fn built_in(name: &str) -> Result<Box<dyn Kernel>, Failure> {
     let usage = |error: &dyn std::fmt::Display| Failure::Usage(format!("{error}"));
     // A seed of Monte Carlo stands behind an @ too, and an outer rule behind it; no format has a slash.
     let (method, format) = match name.rsplit_once('@') {
@@ -203,13 +204,8 @@ fn loaded(asked: &[String]) -> Result<Vec<Subject>, Failure> {
     if asked.is_empty() {
         catalogue::names().for_each(&mut add);
     }
-    let subject = |argument: &String| {
-        let loaded = case::medium(argument)?;
-        let channels = loaded.cases.into_iter().map(|one| (one.channel, one.case));
-        Subject::new(&loaded.description.name, channels.collect())
-            .map_err(|error| Failure::Usage(format!("{argument}: {error}")))
-    };
-    let subjects: Vec<Subject> = arguments.iter().map(subject).collect::<Result<_, _>>()?;
+    let subjects = arguments.iter().map(|argument| subject(argument));
+    let subjects: Vec<Subject> = subjects.collect::<Result<_, _>>()?;
     let mut names = BTreeSet::new();
     let channels = subjects.iter().flat_map(Subject::cases);
     match channels.map(Case::name).find(|name| !names.insert(*name)) {
@@ -218,6 +214,14 @@ fn loaded(asked: &[String]) -> Result<Vec<Subject>, Failure> {
             "a case '{name}' a second time (allowed: each name once)"
         ))),
     }
+}
+
+/// One case by its name or path, with all its channels.
+pub(super) fn subject(argument: &str) -> Result<Subject, Failure> {
+    let loaded = case::medium(argument)?;
+    let channels = loaded.cases.into_iter().map(|one| (one.channel, one.case));
+    Subject::new(&loaded.description.name, channels.collect())
+        .map_err(|error| Failure::Usage(format!("{argument}: {error}")))
 }
 
 /// The cases of the catalogue with that tag.

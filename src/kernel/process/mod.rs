@@ -20,6 +20,7 @@ mod registry;
 mod request;
 #[cfg(feature = "studies")]
 mod schema;
+mod spoken;
 mod tail;
 pub(crate) mod trouble;
 pub(crate) mod written;
@@ -29,6 +30,8 @@ pub use options::Options;
 pub use registry::stop_all;
 #[cfg(feature = "studies")]
 pub use schema::schema;
+pub use spoken::{answer, greeting, request};
+pub use written::Numbers;
 
 use super::{Declaration, Kernel, KernelError, Rendering, Task};
 use child::Child;

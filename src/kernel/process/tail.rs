@@ -46,7 +46,7 @@ impl Tail {
         let (busy, reading) = mpsc::channel();
         let into = Arc::clone(&kept);
         let drain = move || {
-            drain(source, &into, log);
+            drain(source, &into, log.as_ref());
             READING.fetch_sub(1, Ordering::Release);
             drop(busy);
         };
@@ -89,13 +89,13 @@ fn shown(line: &str) -> String {
     shown
 }
 
-fn drain(mut source: impl Read, into: &Mutex<VecDeque<u8>>, log: Option<(Log, Stream)>) {
+fn drain(mut source: impl Read, into: &Mutex<VecDeque<u8>>, log: Option<&(Log, Stream)>) {
     let mut chunk = [0; KEPT];
     loop {
         match source.read(&mut chunk) {
             Ok(0) => return,
             Ok(count) => {
-                if let Some((log, stream)) = &log {
+                if let Some((log, stream)) = log {
                     // The next message fails as well, and says why.
                     let _ = log.keep(*stream, chunk.get(..count).unwrap_or_default());
                 }
