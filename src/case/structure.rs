@@ -70,6 +70,8 @@ pub struct Along {
     pub parabolas_hide_source: bool,
     /// C is certainly the same everywhere.
     pub emission_is_constant: bool,
+    /// C is certainly above 0 everywhere, or below it.
+    pub emission_has_no_zero: bool,
     /// On a ray that is analytic throughout certainly C τ at the front, less C τ e^(−t) at the far end, is τ at the
     /// front times the radiance: what one sample at an end of each segment errs by in the first order is
     /// proportional to the difference.

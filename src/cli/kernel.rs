@@ -3,14 +3,15 @@
 use super::{Failure, case, waiting};
 use clap::Args;
 use std::collections::BTreeSet;
-use std::path::Path;
+use std::path::{Path, PathBuf};
 use std::time::Duration;
 use volver::case::{Case, catalogue};
 use volver::kernel::library::LibraryKernel;
-use volver::kernel::process::{self, Options, ProcessKernel};
+use volver::kernel::process::{self, Log, Options, ProcessKernel};
 use volver::kernel::{BuiltIn, Kernel, Subject};
 use volver::method::Method;
 use volver::real::FormatName;
+use volver::report::ReportError;
 
 /// What a kernel may be, for help texts.
 pub(super) const KERNELS: &str = "\
@@ -35,6 +36,9 @@ pub(super) struct KernelArguments {
     /// Seconds that a program may take to start
     #[arg(long, value_name = "SECONDS", default_value_t = 60.0, value_parser = seconds, allow_negative_numbers = true)]
     start_timeout: f64,
+    /// Keep all that volver and a program say to each other, and what the program prints
+    #[arg(long, value_name = "FILE")]
+    log: Option<PathBuf>,
 }
 
 /// More than nothing, and no more than a week.
@@ -57,13 +61,13 @@ impl KernelArguments {
     /// What need not be started, so that what is wrong with it is said before any work; `None` of a program.
     pub(super) fn at_once(&self) -> Result<Option<Box<dyn Kernel>>, Failure> {
         if let Some(method) = self.kernel().strip_prefix("method:") {
-            self.no_arguments("a method")?;
+            self.no_program("a method")?;
             return built_in(method).map(Some);
         }
         let path = Path::new(self.kernel());
         let extension = path.extension().and_then(|extension| extension.to_str());
         if extension.is_some_and(|extension| LIBRARIES.contains(&extension)) {
-            self.no_arguments("a library")?;
+            self.no_program("a library")?;
             let library = LibraryKernel::open(path).map_err(|error| self.failed(error))?;
             return Ok(Some(Box::new(library)));
         }
@@ -90,13 +94,23 @@ impl KernelArguments {
     pub(super) fn another(&self, command: &str) -> Self {
         KernelArguments {
             command: command.split_whitespace().map(Into::into).collect(),
-            ..*self
+            timeout: self.timeout,
+            start_timeout: self.start_timeout,
+            // The log is the first one's.
+            log: None,
         }
     }
 
     /// Starts the program. Whatever ends this process from the keyboard ends the kernel's too.
     pub(super) fn program(&self) -> Result<Box<dyn Kernel>, Failure> {
+        let log = self.log.as_deref().map(|path| {
+            Log::create(path).map_err(|reason| ReportError::File {
+                path: path.into(),
+                reason,
+            })
+        });
         let options = Options {
+            log: log.transpose()?,
             start_timeout: Duration::from_secs_f64(self.start_timeout),
             timeout: Duration::from_secs_f64(self.timeout),
             ..Options::default()
@@ -115,7 +129,13 @@ impl KernelArguments {
         Ok(Box::new(started.map_err(|error| self.failed(error))?))
     }
 
-    fn no_arguments(&self, what: &str) -> Result<(), Failure> {
+    /// Refuses what only programs take.
+    fn no_program(&self, what: &str) -> Result<(), Failure> {
+        if self.log.is_some() {
+            return Err(Failure::Usage(format!(
+                "'--log' with {what}, which is not talked to (allowed: with a program)"
+            )));
+        }
         match self.arguments().first() {
             None => Ok(()),
             Some(first) => Err(Failure::Usage(format!(
@@ -133,7 +153,8 @@ impl KernelArguments {
     }
 }
 
-fn built_in(name: &str) -> Result<Box<dyn Kernel>, Failure> {
+/// A method, NAME[@FORMAT].
+pub(super) fn built_in(name: &str) -> Result<Box<dyn Kernel>, Failure> {
     let usage = |error: &dyn std::fmt::Display| Failure::Usage(format!("{error}"));
     // A seed of Monte Carlo stands behind an @ too, and an outer rule behind it; no format has a slash.
     let (method, format) = match name.rsplit_once('@') {
@@ -183,13 +204,8 @@ fn loaded(asked: &[String]) -> Result<Vec<Subject>, Failure> {
     if asked.is_empty() {
         catalogue::names().for_each(&mut add);
     }
-    let subject = |argument: &String| {
-        let loaded = case::medium(argument)?;
-        let channels = loaded.cases.into_iter().map(|one| (one.channel, one.case));
-        Subject::new(&loaded.description.name, channels.collect())
-            .map_err(|error| Failure::Usage(format!("{argument}: {error}")))
-    };
-    let subjects: Vec<Subject> = arguments.iter().map(subject).collect::<Result<_, _>>()?;
+    let subjects = arguments.iter().map(|argument| subject(argument));
+    let subjects: Vec<Subject> = subjects.collect::<Result<_, _>>()?;
     let mut names = BTreeSet::new();
     let channels = subjects.iter().flat_map(Subject::cases);
     match channels.map(Case::name).find(|name| !names.insert(*name)) {
@@ -198,6 +214,14 @@ fn loaded(asked: &[String]) -> Result<Vec<Subject>, Failure> {
             "a case '{name}' a second time (allowed: each name once)"
         ))),
     }
+}
+
+/// One case by its name or path, with all its channels.
+pub(super) fn subject(argument: &str) -> Result<Subject, Failure> {
+    let loaded = case::medium(argument)?;
+    let channels = loaded.cases.into_iter().map(|one| (one.channel, one.case));
+    Subject::new(&loaded.description.name, channels.collect())
+        .map_err(|error| Failure::Usage(format!("{argument}: {error}")))
 }
 
 /// The cases of the catalogue with that tag.

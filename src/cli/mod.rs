@@ -1,6 +1,7 @@
 //! Arguments, output and exit codes; no numerics.
 
 mod about;
+mod ask;
 mod budget;
 mod case;
 mod cases;
@@ -12,6 +13,7 @@ mod identify;
 mod input;
 mod kernel;
 mod manufacture;
+mod new;
 mod output;
 mod plan;
 mod progress;
@@ -43,6 +45,7 @@ nobody reads what is printed.
 Examples:
   volver verify --cases paper method:front-to-back/middle/expm1
   volver reproduce --table 1 --levels 8..512
+  volver ask sine-squared -n 4
   printf '0.4 8e-2\\n0.2 2e-2\\n0.1 5e-3\\n0.05 1.25e-3\\n' | volver fit -
   volver cases sine-squared
   volver study --cases sine-squared --methods trapezoid/trapezoid --levels 8..256
@@ -71,6 +74,8 @@ pub(crate) enum Command {
     Verify(verify::Verify),
     Identify(Box<identify::Identify>),
     Check(check::Check),
+    Ask(ask::Ask),
+    New(new::New),
     Reproduce(reproduce::Reproduce),
     Stress(stress::Stress),
     Fit(fit::Fit),
@@ -94,6 +99,8 @@ impl Command {
             Command::Verify(arguments) => arguments.run(),
             Command::Identify(arguments) => arguments.run(),
             Command::Check(arguments) => arguments.run(),
+            Command::Ask(arguments) => arguments.run(),
+            Command::New(arguments) => arguments.run(),
             Command::Reproduce(arguments) => arguments.run(),
             Command::Stress(arguments) => arguments.run(),
             Command::Fit(arguments) => arguments.run(),

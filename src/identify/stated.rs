@@ -2,7 +2,7 @@
 
 use super::rule::{Depth, Law, Place, Power, Rule, Scheme, Segment, Shape, Stop, StopBy, Weight};
 use crate::method::{
-    Accumulation, Compositing, CompositingOrder, Exponential, Inner, Method, Nested,
+    Accumulation, Compositing, CompositingOrder, Exponential, Inner, Layers, Method, Nested,
     OpacityFormula, Position, Scope,
 };
 use crate::quadrature;
@@ -19,7 +19,39 @@ pub fn stated(method: &Method) -> Option<Rule> {
         Method::Composited(compositing) => Some(of_compositing(compositing)),
         Method::Nested(nested) => of_nested(nested),
         Method::Preintegrated(_) => None,
+        Method::Layered(layers) => of_layers(*layers),
     }
+}
+
+/// All but the logarithmic mean, which is no sum of emissions.
+fn of_layers(layers: Layers) -> Option<Rule> {
+    let at = |parts: [(u32, u32); 3]| parts.map(Rational::from);
+    let ends = || at([(1, 2), (0, 1), (1, 2)]);
+    let of_trapezoid = |weights| Scheme::Segments {
+        depth: ends(),
+        weights,
+        scale: super::rule::Scale::default(),
+    };
+    let voxel = |passes| Scheme::Sample {
+        place: Place::Middle,
+        law: neglecting(Shape::Exponential, passes),
+    };
+    let scheme = match layers {
+        Layers::Linear => of_trapezoid(Segment::LinearInDepth { swapped: false }),
+        Layers::Mean => of_trapezoid(Segment::Opacity { parts: ends() }),
+        Layers::Logarithmic => return None,
+        Layers::HalfCells => of_trapezoid(Segment::Halves),
+        Layers::Middle => of_trapezoid(Segment::Quadrature {
+            parts: at([(0, 1), (1, 1), (0, 1)]),
+            half: at([(1, 4), (0, 1), (1, 4)]),
+        }),
+        Layers::HalfOwn => voxel(Power::HALF),
+        Layers::WholeOwn => voxel(Power::ONE),
+    };
+    Some(Rule {
+        scheme,
+        ..Rule::default()
+    })
 }
 
 fn of_compositing(compositing: &Compositing) -> Rule {

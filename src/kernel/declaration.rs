@@ -78,7 +78,7 @@ impl Declaration {
         }
         let own = match method {
             Method::Composited(compositing) => Sampling::from(compositing.position),
-            Method::Nested(_) | Method::Preintegrated(_) => return Ok(()),
+            Method::Nested(_) | Method::Preintegrated(_) | Method::Layered(_) => return Ok(()),
         };
         match self.sampling {
             // What is jittered about a place is meant to be the method in the mean.
@@ -97,7 +97,7 @@ impl Declaration {
     pub fn claimed_sampling(&self) -> Option<Sampling> {
         let of_method = || match self.method? {
             Method::Composited(compositing) => Some(compositing.position.into()),
-            Method::Nested(_) | Method::Preintegrated(_) => None,
+            Method::Nested(_) | Method::Preintegrated(_) | Method::Layered(_) => None,
         };
         self.sampling.or_else(of_method)
     }

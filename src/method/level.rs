@@ -50,6 +50,7 @@ impl<'a, F: Format> Level<'a, F> {
             Method::Nested(nested) => self.nested(nested),
             Method::Composited(compositing) => compositing.radiance(&self.nodes, self.n),
             Method::Preintegrated(preintegrated) => self.preintegrated(preintegrated),
+            Method::Layered(layers) => layers.radiance(&self.nodes, self.n),
         }
     }
 
@@ -96,6 +97,7 @@ impl<'a, F: Format> Level<'a, F> {
                 }
                 Ok(vec![Cow::Owned(row)])
             }
+            Method::Layered(_) => Ok(Vec::new()),
         }
     }
 
@@ -128,6 +130,7 @@ impl<'a, F: Format> Level<'a, F> {
                 }
                 Ok(radiance)
             }
+            Method::Layered(layers) => layers.radiance(&self.nodes, self.n),
         }
     }
 

@@ -28,6 +28,10 @@ pub enum Part {
     ConstantSegments,
     /// The optical depth of a segment in place of its opacity.
     LinearOpacity,
+    /// What is taken for the source between the places where a layer is looked at, and for its depth.
+    LayerSource,
+    /// The attenuation of a layer's light by the layer itself.
+    OwnAttenuation,
     /// A place where τ is not analytic, under the rule for the optical depth or opacity.
     ExtinctionBreak,
     /// A place where C·τ or the transmittance is not analytic, under the rule for the radiance or color.
@@ -55,6 +59,8 @@ impl Part {
                 "expansion of a segment's error about its one sample; Compositing::limits"
             }
             Part::LinearOpacity => "τ²d²/2 left out in each of D/d segments",
+            Part::LayerSource => "expansion of a layer's error about its middle; Layers::limits",
+            Part::OwnAttenuation => "a power of e^(−τd) in place of a layer's mean; Layers::limits",
             Part::ExtinctionBreak | Part::SourceBreak => {
                 "|λ − b|^α inside one segment leaves O(d^(1+α)); docs/nonsmooth.md"
             }
@@ -75,6 +81,8 @@ impl fmt::Display for Part {
             Part::SubIntervals => "sub-integration",
             Part::ConstantSegments => "constant medium in each segment",
             Part::LinearOpacity => "linear opacity",
+            Part::LayerSource => "source and depth of layers",
+            Part::OwnAttenuation => "own attenuation of layers",
             Part::ExtinctionBreak => "break of the extinction",
             Part::SourceBreak => "break of the source term",
         })

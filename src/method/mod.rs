@@ -7,6 +7,7 @@ mod error;
 mod expected;
 mod exponential;
 mod inner;
+mod layers;
 mod level;
 mod limit;
 mod march;
@@ -25,6 +26,7 @@ pub use error::MethodError;
 pub use expected::Expected;
 pub use exponential::{Exponential, Scope};
 pub use inner::{Filling, Inner, OpticalDepth};
+pub use layers::Layers;
 pub use level::Level;
 pub use limit::{Limit, Part};
 pub use name::MethodNameError;
@@ -50,6 +52,8 @@ pub enum Method {
     Composited(Compositing),
     /// Segments integrated along an interpolated field.
     Preintegrated(Preintegrated),
+    /// Layers between places where C and τ are known.
+    Layered(Layers),
 }
 
 impl Method {
@@ -76,6 +80,7 @@ impl Method {
             Method::Nested(nested) => nested.radiance(&nodes, n),
             Method::Composited(compositing) => compositing.radiance(&nodes, n),
             Method::Preintegrated(preintegrated) => preintegrated.radiance(&nodes, n),
+            Method::Layered(layers) => layers.radiance(&nodes, n),
         }
     }
 
@@ -92,6 +97,7 @@ impl Method {
                 error::require_multiple(&inner, n, inner.segments_multiple())
             }
             Method::Composited(compositing) => error::require_multiple(compositing, n, 1),
+            Method::Layered(layers) => error::require_multiple(layers, n, 1),
             Method::Preintegrated(preintegrated) => {
                 for interpolant in [
                     preintegrated.color.interpolant,
@@ -122,6 +128,7 @@ impl Method {
             Method::Nested(nested) => nested.limits(structure),
             Method::Composited(compositing) => compositing.limits(structure),
             Method::Preintegrated(preintegrated) => preintegrated.limits(structure),
+            Method::Layered(layers) => layers.limits(structure),
         }
     }
 
@@ -134,6 +141,7 @@ impl Method {
             Method::Nested(nested) => nested.limits_on(&structure, ladder),
             Method::Composited(compositing) => compositing.limits_on(&structure, ladder),
             Method::Preintegrated(preintegrated) => preintegrated.limits_on(&structure, ladder),
+            Method::Layered(layers) => layers.limits_on(&structure, ladder),
         }
     }
 }
@@ -144,6 +152,7 @@ impl fmt::Display for Method {
             Method::Nested(nested) => nested.fmt(f),
             Method::Composited(compositing) => compositing.fmt(f),
             Method::Preintegrated(preintegrated) => preintegrated.fmt(f),
+            Method::Layered(layers) => write!(f, "layers, {layers}"),
         }
     }
 }

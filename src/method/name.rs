@@ -8,12 +8,12 @@ mod preintegrated;
 
 pub use error::MethodNameError;
 
-use super::Method;
+use super::{Layers, Method};
 use parts::Parts;
 use std::str::FromStr;
 
 /// What a name may begin with that is no inner rule.
-const KINDS: &str = "preintegrated, front-to-back, back-to-front, tree";
+const KINDS: &str = "preintegrated, front-to-back, back-to-front, tree, layers";
 
 impl Method {
     /// The method's name, which [`Method::from_str`] reads back.
@@ -29,6 +29,7 @@ impl Method {
     /// - Pre-integration: `preintegrated/COLOR/OPACITY[/unattenuated]`; both are
     ///   `INTERPOLANT[-by-COUNT-RULE]`, in closed form where no rule is named:
     ///   `preintegrated/quadratic-by-10-trapezoid/linear`.
+    /// - Layers: `layers/RULE` with the names of [`Layers::ALL`](super::Layers::ALL): `layers/half-own`.
     #[must_use]
     pub fn name(&self) -> String {
         match self {
@@ -36,6 +37,7 @@ impl Method {
             // Its name is how it prints.
             Method::Composited(compositing) => compositing.to_string(),
             Method::Preintegrated(preintegrated) => preintegrated::name(preintegrated),
+            Method::Layered(layers) => format!("layers/{layers}"),
         }
     }
 }
@@ -53,6 +55,7 @@ impl FromStr for Method {
             "front-to-back" | "back-to-front" | "tree" => {
                 Method::Composited(compositing::parse(kind, &mut parts)?)
             }
+            "layers" => Method::Layered(parts.one_of("rule of layers", &Layers::ALL)?),
             inner => Method::Nested(nested::parse(inner, &mut parts)?),
         };
         parts.end()?;

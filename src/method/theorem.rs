@@ -87,7 +87,7 @@ impl Method {
             Method::Preintegrated(preintegrated) => {
                 (preintegrated.theorem()?, preintegrated.limits(structure))
             }
-            Method::Composited(_) => return None,
+            Method::Composited(_) | Method::Layered(_) => return None,
         };
         let expected = Expected::from_limits(&limits);
         let is_its = expected == Expected::Order(f64::from(theorem.order));

@@ -24,3 +24,46 @@ pub fn relative_opacity<R: Real>(x: &R) -> R {
     }
     -(-x.clone()).exp_m1() / x
 }
+
+/// 1 − e and e − e^(−x) with e = (1 − e^(−x))/x: what the near and the far end of a segment of optical depth x weigh
+/// where the source is linear in optical depth; without cancellation where x is small.
+#[must_use]
+pub fn linear_in_depth<R: Real>(x: &R) -> [R; 2] {
+    let format = x.format();
+    // Below, the series is as good: its terms fall by x/k.
+    if x.clone().abs() < format.fraction(1, 16) {
+        // 1 − e = Σ_{k≥1} −(−x)^k/(k + 1)!, e − e^(−x) = Σ_{k≥1} −(−x)^k k/(k + 1)!.
+        let (mut near, mut far) = (format.int(0), format.int(0));
+        let mut term = format.int(-1);
+        for k in 1..=i64::from(format.bits()) {
+            term = -(term * x) / &format.int(k + 1);
+            let next = near.clone() + &term;
+            far += &(term.clone() * &format.int(k));
+            if next == near {
+                break;
+            }
+            near = next;
+        }
+        return [near, far];
+    }
+    let passes = (-x.clone()).exp();
+    let mean = -(-x.clone()).exp_m1() / x;
+    [format.int(1) - &mean, mean - &passes]
+}
+
+/// (b − a)/ln(b/a), between the geometric and the arithmetic mean; a where both are the same, 0 where one of them is,
+/// no number where their signs differ.
+#[must_use]
+pub fn logarithmic_mean<R: Real>(a: &R, b: &R) -> R {
+    let zero = a.format().int(0);
+    if *a == zero || *b == zero {
+        return zero;
+    }
+    // ln(b/a) = ln(1 + u), which keeps its digits where a and b are close.
+    let u = (b.clone() - a) / a;
+    if u == zero {
+        return a.clone();
+    }
+    let logarithm = u.clone().ln_1p();
+    u * a / &logarithm
+}

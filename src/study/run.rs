@@ -97,7 +97,7 @@ pub(super) fn units_a_segment(method: &Method) -> u64 {
             Integration::SubIntervals { count, .. } => u64::from(count),
             Integration::Closed => 1,
         },
-        Method::Nested(_) | Method::Composited(_) => 1,
+        Method::Nested(_) | Method::Composited(_) | Method::Layered(_) => 1,
     }
 }
 

@@ -2,6 +2,7 @@
 
 mod clients;
 mod fixture;
+mod log;
 mod messages;
 mod stop;
 
@@ -164,6 +165,17 @@ fn a_start_of_half_a_minute_is_no_trouble() {
         radiance(kernel.render(&task(&subject, &segments(&subject, 8)))),
         8.0
     );
+}
+
+#[test]
+fn a_kernel_that_is_refused_is_told_before_it_is_killed() {
+    let fixture = Fixture::new();
+    let mut kernel = fixture.start("told", patient()).unwrap();
+    let subject = subject("homogeneous");
+    let result = kernel.render(&task(&subject, &segments(&subject, 8)));
+    assert!(matches!(result, Err(KernelError::Garbage { .. })));
+    assert_eq!(fixture.told(), "end of requests\nterminated\n");
+    fixture.assert_gone();
 }
 
 #[test]

@@ -1,8 +1,10 @@
 //! `volver verify` and `volver check` keep their contract, whatever kernel they are given.
 
+mod ask;
 mod baseline;
 mod help;
 mod kernels;
+mod new;
 mod outputs;
 mod promises;
 pub(crate) mod run;

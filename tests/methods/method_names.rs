@@ -3,7 +3,7 @@
 use quickcheck::{Arbitrary, Gen, QuickCheck};
 use volver::method::{
     Accumulation, Color, Compositing, CompositingOrder, Exponential, Filling, Inner, Integration,
-    Interpolant, LastSegment, Method, Nested, Opacity, OpacityFormula, Outer, Position,
+    Interpolant, LastSegment, Layers, Method, Nested, Opacity, OpacityFormula, Outer, Position,
     Preintegrated, Scope, Summation, Threshold,
 };
 use volver::quadrature::{Rule, Sampling};
@@ -114,6 +114,7 @@ impl Arbitrary for Any {
             Method::Nested(nested(g)),
             Method::Composited(compositing(g)),
             Method::Preintegrated(preintegrated),
+            Method::Layered(of(g, &Layers::ALL)),
         ];
         Any(of(g, &kinds))
     }
@@ -149,6 +150,8 @@ fn names_are_these() {
         "back-to-front/front/subtraction",
         "tree/middle/relative",
         "preintegrated/linear/quadratic-backward",
+        "layers/linear",
+        "layers/whole-own",
         "preintegrated/quadratic-by-10-trapezoid/quadratic-midpoint-by-3-gauss-2/unattenuated",
     ] {
         let method: Method = name.parse().unwrap();

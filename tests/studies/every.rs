@@ -43,6 +43,8 @@ pub(crate) fn commands() -> Vec<(&'static str, &'static str)> {
         ),
         ("check base.json method:tree/middle/expm1", ""),
         ("identify method:tree/middle/expm1", ""),
+        ("ask vacuum -n 2", ""),
+        ("new python kernel", ""),
         ("reproduce --table 2 --levels 8..64", ""),
         ("reproduce --table 2 --levels 8..64 --json -", ""),
         ("stress --scenarios vacuum --formats f32", ""),

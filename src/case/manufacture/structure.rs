@@ -4,11 +4,14 @@ use super::derive::Derived;
 use super::ends;
 use super::regularity::{at_near_end, where_pieces_meet};
 use crate::case::{Along, Break, END_DERIVATIVES, PolynomialTransfer, Structure};
-use crate::symbolic::{Expr, Kind, Place, ZeroTest, expand, pieces, zero_test};
+use crate::symbolic::{Expr, Interval, Kind, Place, ZeroTest, expand, pieces, zero_test};
 use rug::Rational;
 
 /// The highest degree that counts as a polynomial.
 const MAX_DEGREE: usize = 64;
+/// Parts of the ray on which it is seen whether C has a zero, and the bits that takes.
+const PANELS: u32 = 32;
+const PANEL_BITS: u32 = 64;
 
 /// The structure, and where its breaks are.
 pub(super) fn of(length: &Rational, derived: &Derived) -> (Structure, Vec<Option<Place>>) {
@@ -41,6 +44,7 @@ pub(super) fn of(length: &Rational, derived: &Derived) -> (Structure, Vec<Option
             parabolas_hide_source: breaks.is_empty() && vanishes(&parabola_error(derived, &source)),
             emission_is_constant: derived.emission.as_number().is_some()
                 || breaks.is_empty() && vanishes(&derived.emission.differentiate("lambda")),
+            emission_has_no_zero: has_no_zero(length, &derived.emission),
             end_samples_cancel: breaks.is_empty() && ends::end_samples_cancel(length, derived),
             equal_at_ends: if breaks.is_empty() {
                 ends::equal_derivatives(length, derived)
@@ -51,6 +55,21 @@ pub(super) fn of(length: &Rational, derived: &Derived) -> (Structure, Vec<Option
         breaks,
     };
     (structure, places)
+}
+
+/// Whether an enclosure of C says of every panel of the ray that it has that one sign.
+fn has_no_zero(length: &Rational, emission: &Expr) -> bool {
+    let mut signs = (0..PANELS).map(|panel| {
+        let end = |part: u32| Rational::from(length * part) / PANELS;
+        let range = Interval::hull(PANEL_BITS, &end(panel), &end(panel + 1));
+        let over = |name: &str| (name == "lambda").then(|| range.clone());
+        let values = emission.enclose(PANEL_BITS, &over).ok();
+        values
+            .filter(|values| !values.contains_zero())
+            .map(|values| values.is_positive())
+    });
+    let first = signs.next().flatten();
+    first.is_some() && signs.all(|sign| sign == first)
 }
 
 /// What [`Along::parabolas_hide_source`] is about, times (s′)² e^t, which leaves no quotient.

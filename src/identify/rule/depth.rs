@@ -13,6 +13,8 @@ pub struct Power {
 impl Power {
     /// 0.
     pub const ZERO: Power = Power { halves: 0 };
+    /// ½.
+    pub const HALF: Power = Power { halves: 1 };
     /// 1.
     pub const ONE: Power = Power { halves: 2 };
 

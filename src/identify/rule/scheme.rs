@@ -2,6 +2,7 @@
 
 use super::{Law, LinearSegments, Node};
 use crate::case::Transfer;
+use crate::real::special::linear_in_depth;
 use crate::real::{Format, Real};
 use rug::Rational;
 use serde::Serialize;
@@ -152,7 +153,7 @@ impl Segment {
                     .map(|part| opacity.clone() * &format.ratio(part))
             }
             Segment::LinearInDepth { swapped } => {
-                let [near, far] = in_depth(x);
+                let [near, far] = linear_in_depth(x);
                 if *swapped {
                     [far, zero(), near]
                 } else {
@@ -202,30 +203,6 @@ impl Segment {
             }
         }
     }
-}
-
-/// 1 − e and e − e^(−x), e = (1 − e^(−x))/x, without cancellation where x is small.
-fn in_depth<R: Real>(x: &R) -> [R; 2] {
-    let format = x.format();
-    // Below, the series is as good: its terms fall by x/k.
-    if *x < format.fraction(1, 16) {
-        // 1 − e = Σ_{k≥1} −(−x)^k/(k + 1)!, e − e^(−x) = Σ_{k≥1} −(−x)^k k/(k + 1)!.
-        let (mut near, mut far) = (format.int(0), format.int(0));
-        let mut term = format.int(-1);
-        for k in 1..=i64::from(format.bits()) {
-            term = -(term * x) / &format.int(k + 1);
-            let next = near.clone() + &term;
-            far += &(term.clone() * &format.int(k));
-            if next == near {
-                break;
-            }
-            near = next;
-        }
-        return [near, far];
-    }
-    let passes = (-x.clone()).exp();
-    let mean = -(-x.clone()).exp_m1() / x;
-    [format.int(1) - &mean, mean - &passes]
 }
 
 impl Place {

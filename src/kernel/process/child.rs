@@ -1,17 +1,19 @@
 //! A child process: its start, its pipes, its end.
 
+use super::ending::{TERMINATION, ends_within};
+use super::log::{Log, Stream};
 use super::pipes::Pipes;
 use super::registry;
 use super::tail::Tail;
 use super::trouble::Trouble;
 use crate::kernel::KernelError;
 use command_fds::{CommandFdExt, FdMapping};
-use rustix::io::Errno;
-use rustix::process::{Pid, Signal, WaitId, WaitIdOptions, kill_process_group, waitid};
+use rustix::process::{Pid, Signal, kill_process_group};
+use std::fs::File;
 use std::io;
+use std::os::fd::OwnedFd;
 use std::os::unix::process::{CommandExt, ExitStatusExt};
 use std::process::{Command, ExitStatus, Stdio};
-use std::thread;
 use std::time::{Duration, Instant};
 
 /// The child's descriptor that it reads requests from.
@@ -24,8 +26,8 @@ const LAST_LINES: usize = 3;
 const ENDING: Duration = Duration::from_millis(500);
 /// How long it may take to end by itself when no more requests come.
 const FAREWELL: Duration = Duration::from_secs(2);
-/// How long it may take to end when it is told to.
-const TERMINATION: Duration = Duration::from_millis(500);
+/// The same of one that is of no use any more.
+const DISMISSAL: Duration = Duration::from_millis(200);
 
 /// A child that leads a process group. However it is left, nothing of the group lives on.
 #[derive(Debug)]
@@ -35,14 +37,19 @@ pub(super) struct Child {
     pipes: Pipes,
     output: Tail,
     errors: Tail,
+    log: Option<Log>,
     reaped: bool,
 }
 
 impl Child {
-    pub(super) fn start(program: &str, arguments: &[String]) -> io::Result<Child> {
+    pub(super) fn start(
+        program: &str,
+        arguments: &[String],
+        log: Option<&Log>,
+    ) -> io::Result<Child> {
         let (requests, ours) = io::pipe()?;
         let (answers, theirs) = io::pipe()?;
-        let pipes = Pipes::new(ours, answers)?;
+        let pipes = Pipes::new(ours, answers, log.cloned())?;
         let mut command = Command::new(program);
         command
             .args(arguments)
@@ -65,8 +72,12 @@ impl Child {
         let (mut process, group) = registry::spawn(&mut command)?;
         // It holds this side's copies of the child's ends: as long as they are open, no end is ever seen.
         drop(command);
-        let tails = tail(process.stdout.take()).and_then(|output| {
-            let errors = tail(process.stderr.take())?;
+        let tail = |source| tail(source, log);
+        let tails = noted(log, program, arguments, process.id()).and_then(|()| {
+            let output = process.stdout.take();
+            let output = tail(output.map(|pipe| (pipe.into(), Stream::Output)))?;
+            let errors = process.stderr.take();
+            let errors = tail(errors.map(|pipe| (pipe.into(), Stream::Errors)))?;
             Ok((output, errors))
         });
         match tails {
@@ -76,6 +87,7 @@ impl Child {
                 pipes,
                 output,
                 errors,
+                log: log.cloned(),
                 reaped: false,
             }),
             Err(error) => {
@@ -103,15 +115,15 @@ impl Child {
         self.pipes.exchange(message, deadline)
     }
 
-    /// Kills it for its trouble, which was met while `what` was waited for, and says what befell it.
+    /// Ends it for its trouble, which was met while `what` was waited for, and says what befell it.
     pub(super) fn fail(
         mut self,
         trouble: Trouble,
         what: &'static str,
         after: Duration,
     ) -> KernelError {
-        let ended = matches!(trouble, Trouble::Closed(_)) && self.ends_within(ENDING);
-        let status = self.kill();
+        let ended = matches!(trouble, Trouble::Closed(_)) && ends_within(self.group, ENDING);
+        let status = self.end(DISMISSAL);
         let stderr = self.errors.last_lines(LAST_LINES);
         match trouble {
             Trouble::TimedOut => KernelError::TimedOut {
@@ -143,44 +155,32 @@ impl Child {
         }
     }
 
-    /// Whether it has ended, or does so in that time; it is not reaped, so that its number stays its own.
-    fn ends_within(&self, time: Duration) -> bool {
-        let deadline = Instant::now() + time;
-        let look = WaitIdOptions::EXITED | WaitIdOptions::NOHANG | WaitIdOptions::NOWAIT;
-        let mut pause = Duration::from_micros(100);
-        loop {
-            match waitid(WaitId::Pid(self.group), look) {
-                // Or somebody else reaped it.
-                Ok(Some(_)) | Err(Errno::CHILD) => return true,
-                Ok(None) | Err(_) => {}
-            }
-            if Instant::now() >= deadline {
-                return false;
-            }
-            thread::sleep(pause);
-            pause = (2 * pause).min(Duration::from_millis(10));
-        }
-    }
-
-    fn kill(&mut self) -> Option<ExitStatus> {
+    /// Tells it that no more comes, then to end, and kills what is left of its group.
+    fn end(&mut self, patience: Duration) -> Option<ExitStatus> {
         self.reaped = true;
         self.pipes.close_requests();
-        reap(&mut self.process, self.group)
+        if !ends_within(self.group, patience) {
+            let _ = kill_process_group(self.group, Signal::TERM);
+            ends_within(self.group, TERMINATION);
+        }
+        let status = reap(&mut self.process, self.group);
+        if let Some(log) = &self.log {
+            self.output.settle();
+            self.errors.settle();
+            if let Some(status) = status {
+                // Nobody is left who could be told.
+                let _ = log.note(&format!("the process {}", how(status)));
+            }
+        }
+        status
     }
 }
 
 impl Drop for Child {
-    /// Lets it end by itself, then tells it to, then kills it.
     fn drop(&mut self) {
-        if self.reaped {
-            return;
+        if !self.reaped {
+            self.end(FAREWELL);
         }
-        self.pipes.close_requests();
-        if !self.ends_within(FAREWELL) {
-            let _ = kill_process_group(self.group, Signal::TERM);
-            self.ends_within(TERMINATION);
-        }
-        self.kill();
     }
 }
 
@@ -192,8 +192,17 @@ fn reap(process: &mut std::process::Child, group: Pid) -> Option<ExitStatus> {
     process.wait().ok()
 }
 
-fn tail(source: Option<impl io::Read + Send + 'static>) -> io::Result<Tail> {
-    Tail::of(source.ok_or_else(|| io::Error::other("no pipe for what it prints"))?)
+fn tail(source: Option<(OwnedFd, Stream)>, log: Option<&Log>) -> io::Result<Tail> {
+    let (pipe, stream) = source.ok_or_else(|| io::Error::other("no pipe for what it prints"))?;
+    Tail::of(File::from(pipe), log.map(|log| (log.clone(), stream)))
+}
+
+/// Says in the log who it is.
+fn noted(log: Option<&Log>, program: &str, arguments: &[String], id: u32) -> io::Result<()> {
+    let Some(log) = log else { return Ok(()) };
+    let words = arguments.iter().map(String::as_str);
+    let words: Vec<&str> = std::iter::once(program).chain(words).collect();
+    log.note(&format!("process {id}: {}", words.join(" ").escape_debug()))
 }
 
 fn how(status: ExitStatus) -> String {

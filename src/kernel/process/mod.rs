@@ -8,8 +8,10 @@
 pub(crate) mod answer;
 pub(crate) mod bare;
 mod child;
+mod ending;
 mod files;
 pub(crate) mod greeting;
+mod log;
 mod message;
 mod number;
 mod options;
@@ -18,19 +20,24 @@ mod registry;
 mod request;
 #[cfg(feature = "studies")]
 mod schema;
+mod spoken;
 mod tail;
 pub(crate) mod trouble;
 pub(crate) mod written;
 
+pub use log::Log;
 pub use options::Options;
 pub use registry::stop_all;
 #[cfg(feature = "studies")]
 pub use schema::schema;
+pub use spoken::{answer, greeting, request};
+pub use written::Numbers;
 
 use super::{Declaration, Kernel, KernelError, Rendering, Task};
 use child::Child;
 use files::Files;
 use greeting::Greeting;
+use log::Stream;
 use message::Arrays;
 use request::Writer;
 use std::io;
@@ -150,6 +157,8 @@ impl ProcessKernel {
             Some(child) => child,
             None => self.start_anew()?,
         };
+        self.keep(&line, tasks)
+            .map_err(|error| KernelError::message(&error))?;
         let timeout = self.options.timeout;
         // No fewer than binary64 has.
         let bits = self
@@ -168,6 +177,21 @@ impl ProcessKernel {
             }
             Err(trouble) => Err(child.fail(trouble, "answer", timeout)),
         }
+    }
+
+    /// Logs a request before it is sent. Files are gone when the log is read: their arrays stand in the message there.
+    fn keep(&self, line: &[u8], tasks: &[&Task<'_>]) -> io::Result<()> {
+        let Some(log) = &self.options.log else {
+            return Ok(());
+        };
+        if self.files.is_none() {
+            return log.keep(Stream::Requests, line);
+        }
+        let mut writer = Writer {
+            numbers: self.greeting.numbers,
+            files: None,
+        };
+        log.keep(Stream::Requests, &writer.line(self.last_id, tasks)?)
     }
 
     fn start_anew(&self) -> Result<Child, KernelError> {
@@ -196,7 +220,11 @@ fn start(
     let deadline = Instant::now().checked_add(timeout);
     let mut hello = serde_json::to_vec(&greeting::hello()).map_err(|e| failed(e.into()))?;
     hello.push(b'\n');
-    let mut child = Child::start(program, arguments).map_err(failed)?;
+    let log = options.log.as_ref();
+    let mut child = Child::start(program, arguments, log).map_err(failed)?;
+    if let Some(log) = log {
+        log.keep(Stream::Requests, &hello).map_err(failed)?;
+    }
     let greeting = child.exchange(&hello, deadline);
     match greeting.and_then(|line| greeting::read(&line)) {
         Ok(greeting) => Ok((child, greeting)),

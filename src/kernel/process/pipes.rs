@@ -3,6 +3,7 @@
 //! Both pipes are read and written without blocking, by the thread that asks: a child that does not read cannot
 //! hold it up, and between requests nothing of what a child says is read, so that no child can fill the memory.
 
+use super::log::{Log, Stream};
 use super::trouble::Trouble;
 use rustix::event::{PollFd, PollFlags, Timespec, poll};
 use rustix::io::{Errno, ioctl_fionbio};
@@ -23,10 +24,15 @@ pub(super) struct Pipes {
     buffer: Vec<u8>,
     /// So much of the buffer has no end of a line.
     searched: usize,
+    log: Option<Log>,
 }
 
 impl Pipes {
-    pub(super) fn new(requests: PipeWriter, answers: PipeReader) -> io::Result<Self> {
+    pub(super) fn new(
+        requests: PipeWriter,
+        answers: PipeReader,
+        log: Option<Log>,
+    ) -> io::Result<Self> {
         ioctl_fionbio(&requests, true)?;
         ioctl_fionbio(&answers, true)?;
         Ok(Pipes {
@@ -34,6 +40,7 @@ impl Pipes {
             answers,
             buffer: Vec::new(),
             searched: 0,
+            log,
         })
     }
 
@@ -91,7 +98,11 @@ impl Pipes {
                 Ok(0) if self.buffer.is_empty() => return Err(Trouble::Closed("answer")),
                 Ok(0) => return Err(Trouble::garbage("half a line", &self.buffer)),
                 Ok(count) => {
-                    self.buffer.extend(chunk.iter().take(count));
+                    let read = chunk.get(..count).unwrap_or_default();
+                    if let Some(log) = &self.log {
+                        log.keep(Stream::Answers, read).map_err(Trouble::System)?;
+                    }
+                    self.buffer.extend_from_slice(read);
                     return Ok(true);
                 }
                 Err(error) => match error.kind() {

@@ -1,10 +1,13 @@
 //! What would be left behind if this process ended now: every child that lives, every directory.
 
+use super::ending::{TERMINATION, ends_within};
+use super::tail;
 use rustix::process::{Pid, Signal, kill_process_group};
 use std::io;
 use std::path::{Path, PathBuf};
 use std::process::{Child, Command};
 use std::sync::{Mutex, MutexGuard, PoisonError};
+use std::time::Instant;
 
 struct Left {
     groups: Vec<Pid>,
@@ -23,16 +26,22 @@ fn left() -> MutexGuard<'static, Left> {
     LEFT.lock().unwrap_or_else(PoisonError::into_inner)
 }
 
-/// Kills every child of every [`ProcessKernel`](super::ProcessKernel) with its whole process group, removes their
-/// files, and lets none start any more: for handlers of Ctrl-C, before the process ends. A terminal's own signal
-/// does not reach them, as each has a group of its own.
+/// Tells every child of every [`ProcessKernel`](super::ProcessKernel) to end, kills what does not within half a second
+/// with its whole process group, removes their files, and lets none start any more: for handlers of Ctrl-C, before
+/// the process ends. A terminal's own signal does not reach them, as each has a group of its own.
 pub fn stop_all() {
     let mut left = left();
     left.stopped = true;
     for group in &left.groups {
+        let _ = kill_process_group(*group, Signal::TERM);
+    }
+    let deadline = Instant::now() + TERMINATION;
+    for group in &left.groups {
+        ends_within(*group, deadline.saturating_duration_since(Instant::now()));
         // One that is dead already needs no killing.
         let _ = kill_process_group(*group, Signal::KILL);
     }
+    tail::settle();
     for directory in left.directories.drain(..) {
         let _ = std::fs::remove_dir_all(directory);
     }

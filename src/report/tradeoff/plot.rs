@@ -137,7 +137,7 @@ fn family(method: &Method) -> (usize, &'static str) {
     let is_gauss = |rule| matches!(rule, Rule::GaussLegendre(_));
     match method {
         Method::Preintegrated(_) => (1, "pre-integration"),
-        Method::Composited(_) => (3, "compositing"),
+        Method::Composited(_) | Method::Layered(_) => (3, "compositing"),
         Method::Nested(nested) => match nested.inner {
             Inner::MonteCarlo { .. } => (4, "random depths"),
             Inner::PerSegment(rule) if is_gauss(rule) => (2, "Gauss"),

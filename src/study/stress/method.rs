@@ -88,6 +88,6 @@ fn known(method: &Method) -> Option<Kind> {
             } => Some(Kind::SubIntervals(count)),
             Integration::SubIntervals { .. } => None,
         },
-        Method::Nested(_) | Method::Preintegrated(_) => None,
+        Method::Nested(_) | Method::Preintegrated(_) | Method::Layered(_) => None,
     }
 }

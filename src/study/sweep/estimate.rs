@@ -102,7 +102,7 @@ fn looks(method: &Method) -> f64 {
             };
             inner * (1.0 + outer)
         }
-        Method::Preintegrated(_) | Method::Composited(_) => 2.0,
+        Method::Preintegrated(_) | Method::Composited(_) | Method::Layered(_) => 2.0,
     }
 }
 

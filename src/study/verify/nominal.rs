@@ -98,7 +98,7 @@ pub(super) fn at_level(declaration: &Declaration, given: &Given<'_>) -> Option<N
     // The opacities of a rule are right to the last bit; a method's are as its formula rounds them.
     let formula = match method {
         Method::Composited(compositing) => compositing.opacity,
-        Method::Nested(_) | Method::Preintegrated(_) => OpacityFormula::Expm1,
+        Method::Nested(_) | Method::Preintegrated(_) | Method::Layered(_) => OpacityFormula::Expm1,
     };
     let of = |format: FormatName| {
         format.with(OfRule {

@@ -274,7 +274,8 @@ impl Settings {
 
     /// Cells of the grid while the step along the ray is refined. Between them the medium has kinks, which stand at
     /// the same part of a segment at every level: at its end where steps divide the ray.
-    pub(super) fn cells(&self) -> u64 {
+    #[must_use]
+    pub fn cells(&self) -> u64 {
         let coarsest = self.ladder.first().copied().unwrap_or(1);
         let shared = match self.steps {
             Steps::Divide => self.ladder.iter().copied().fold(0, gcd),

@@ -11,7 +11,7 @@ use volver::method::Method;
 use volver::real::{Format, Mpfr, MpfrReal, Native, Real};
 
 /// Methods that state a rule.
-const STATED: [&str; 23] = [
+const STATED: [&str; 29] = [
     "front-to-back/front/subtraction",
     "front-to-back/middle/expm1",
     "front-to-back/back/relative/neumaier",
@@ -35,10 +35,17 @@ const STATED: [&str; 23] = [
     "simpson/trapezoid",
     "midpoint/riemann-right",
     "trapezoid/midpoint",
+    "layers/linear",
+    "layers/mean",
+    "layers/half-cells",
+    "layers/middle",
+    "layers/half-own",
+    "layers/whole-own",
 ];
 
-/// Methods whose nodes are not all at the ends and in the middle of one segment, or whose T is no product.
-const UNSTATED: [&str; 11] = [
+/// Methods whose nodes are not all at the ends and in the middle of one segment, whose T is no product, or whose
+/// radiance is no sum of emissions.
+const UNSTATED: [&str; 12] = [
     "simpson/simpson",
     "trapezoid/boole",
     "gauss-3/trapezoid",
@@ -50,6 +57,7 @@ const UNSTATED: [&str; 11] = [
     "riemann-left/riemann-left/linear-whole",
     "riemann-left/riemann-left/cubic",
     "preintegrated/linear/linear",
+    "layers/logarithmic",
 ];
 
 const CASES: [&str; 5] = ["thick", "cloud", "sine-squared", "emission-bump", "faint"];

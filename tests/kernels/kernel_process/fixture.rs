@@ -6,7 +6,7 @@ use std::{fs, thread};
 use tempfile::TempDir;
 use volver::case::catalogue;
 use volver::case::manufacture::manufacture;
-use volver::kernel::process::{Options, ProcessKernel};
+use volver::kernel::process::{Log, Options, ProcessKernel};
 use volver::kernel::{Cut, Data, KernelError, Segments, Subject, Task};
 
 /// Where the children of one test leave their numbers.
@@ -33,6 +33,18 @@ impl Fixture {
         let file = self.file();
         let arguments = ["-S", script, mode, file.to_str().unwrap()].map(String::from);
         ProcessKernel::start("python3", &arguments, options)
+    }
+
+    /// What a child wrote down of its end.
+    pub(crate) fn told(&self) -> String {
+        let file = self.file().with_extension("told");
+        fs::read_to_string(file).unwrap_or_default()
+    }
+
+    /// A log of this test's own.
+    pub(crate) fn log(&self) -> (Log, PathBuf) {
+        let path = self.directory.path().join("log");
+        (Log::create(&path).unwrap(), path)
     }
 
     /// The processes started, each of which led a group.

@@ -50,6 +50,19 @@ def descendant():
     subprocess.Popen([sys.executable, "-S", "-c", code], pass_fds=(3, 4))
 
 
+def told(word):
+    """What it was told at its end goes to a file of its own."""
+    with open(FILE + ".told", "a") as file:
+        file.write(word + "\n")
+
+
+def terminated(number, frame):
+    told("terminated")
+    os._exit(0)
+
+
+if MODE == "told":
+    signal.signal(signal.SIGTERM, terminated)
 if MODE == "exits":
     for line in ["first", "second", "", "no module named torch", "giving up"]:
         print(line, file=sys.stderr)
@@ -125,6 +138,16 @@ for line in requests:
         send("Traceback (most recent call last):\n")
     elif MODE == "garbage-once" and STARTS == 1:
         send("\x1b[2J\0\xff\n")
+    elif MODE == "told":
+        send("?\n")
+    elif MODE == "half-words":
+        # A word begun before the answer ends behind it.
+        for word in ["half", None, " a word\nand half"]:
+            if word is None:
+                answer(request)
+            else:
+                print(word, end="", file=sys.stderr, flush=True)
+            time.sleep(0.3)
     elif MODE == "not-an-answer":
         send('{"type":"radiance","id":1,"results":[{"radiance":["much"]}]}\n')
     elif MODE == "half-line":
@@ -204,4 +227,7 @@ for line in requests:
     else:
         answer(request)
 if MODE == "does-not-end":
+    hang()
+if MODE == "told":
+    told("end of requests")
     hang()

@@ -33,6 +33,7 @@ fn stopping_all_leaves_none_and_lets_none_start() {
     let subject = subject("homogeneous");
     let cut = segments(&subject, 8);
     kernels[1].render(&task(&subject, &cut)).unwrap();
+    let told = fixture.start("told", patient()).unwrap();
     let mut printed = String::new();
     super::fixture::eventually(|| {
         printed = kernels[1].output();
@@ -40,6 +41,8 @@ fn stopping_all_leaves_none_and_lets_none_start() {
     });
     assert!(std::path::Path::new(printed.trim()).exists());
     stop_all();
+    assert_eq!(fixture.told(), "terminated\n");
+    drop(told);
     fixture.assert_gone();
     assert!(!std::path::Path::new(printed.trim()).exists());
     let results = kernels[0].render(&task(&subject, &cut));

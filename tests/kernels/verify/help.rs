@@ -1,4 +1,4 @@
-//! Help, completions and schemas know of both commands.
+//! Help, completions and schemas know of the commands.
 
 use super::run::{Run, volver};
 use assert_cmd::Command;
@@ -10,7 +10,7 @@ fn the_examples_of_the_help_run() {
     let folder = binary.parent().unwrap().display();
     let path = format!("{folder}:{}", std::env::var("PATH").unwrap());
     let shell = tempfile::tempdir().unwrap();
-    for (command, count) in [("verify", 3), ("check", 2)] {
+    for (command, count) in [("verify", 3), ("check", 2), ("ask", 4)] {
         let help = volver(&[command, "--help"]).with_code(0).out;
         assert!(
             help.lines().all(|line| line.chars().count() <= 100),

@@ -118,14 +118,29 @@ impl Marked {
         eventually(|| self.living() == 0);
     }
 
-    /// How many processes there are. The dead have no arguments.
+    /// How many processes there are.
     pub(crate) fn living(&self) -> usize {
+        self.processes().count()
+    }
+
+    /// Kills what volver could not, as it was killed itself.
+    pub(crate) fn kill(&self) {
+        for process in self.processes() {
+            let id = rustix::process::Pid::from_raw(process).unwrap();
+            rustix::process::kill_process(id, rustix::process::Signal::KILL).unwrap();
+        }
+        self.assert_gone();
+    }
+
+    /// The dead have no arguments.
+    fn processes(&self) -> impl Iterator<Item = i32> + '_ {
         let processes = fs::read_dir("/proc").unwrap();
-        let is_marked = |entry: &fs::DirEntry| {
+        processes.flatten().filter_map(|entry| {
             let arguments = fs::read(entry.path().join("cmdline")).unwrap_or_default();
-            String::from_utf8_lossy(&arguments).contains(&format!("{}\0", self.0))
-        };
-        processes.flatten().filter(is_marked).count()
+            let is_marked = String::from_utf8_lossy(&arguments).contains(&format!("{}\0", self.0));
+            let id = entry.file_name().to_str()?.parse().ok()?;
+            is_marked.then_some(id)
+        })
     }
 }
 

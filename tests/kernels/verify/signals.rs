@@ -98,3 +98,28 @@ fn a_closed_standard_output_leaves_no_process() {
     assert_eq!(String::from_utf8(output.stderr).unwrap(), "");
     marked.assert_gone();
 }
+
+#[test]
+fn what_was_said_before_a_signal_is_in_the_log() {
+    for signal in [Signal::INT, Signal::KILL] {
+        let folder = tempfile::tempdir().unwrap();
+        let log = folder.path().join("log");
+        let options = ["--log", log.to_str().unwrap()];
+        let hanging = Hanging::start(&[&verify()[..], &options].concat(), "600");
+        hanging.send(signal);
+        let Hanging { child, marked, .. } = hanging;
+        child.wait_with_output().unwrap();
+        let log = std::fs::read_to_string(log).unwrap();
+        let last = log.lines().rfind(|line| line.starts_with("3 ")).unwrap();
+        assert!(last.contains(r#""segments":32,"#), "{last}");
+        assert!(last.ends_with("]}"), "{last}");
+        // Of the levels of 8 and 16 segments, once more with another seed the first.
+        let answers = log.lines().filter(|line| line.starts_with("4 ")).count();
+        assert!(answers >= 3, "{log}");
+        if signal == Signal::INT {
+            marked.assert_gone();
+        } else {
+            marked.kill();
+        }
+    }
+}
