@@ -194,6 +194,7 @@ fn everything_declared_arrives() {
         far_wall: true,
         step_divides: true,
         multiple_of: NonZeroU64::new(2).unwrap(),
+        ..Declaration::new("mine µ")
     };
     assert_eq!(*kernel.unwrap().declaration(), expected);
 }
@@ -224,6 +225,7 @@ fn segments_arrive_and_the_answer_comes_back() {
         step: Some(2.0),
         segments: Some(9),
         standard_error: Some(vec![0.5; 3]),
+        ..Rendering::default()
     };
     assert_eq!(rendering, expected);
 }

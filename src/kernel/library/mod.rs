@@ -84,6 +84,8 @@ impl Kernel for LibraryKernel {
         Ok(Rendering {
             radiance: answer.radiance.iter().map(float).collect(),
             opacity: Some(&answer.opacity).filter(|o| !o.is_nan()).map(float),
+            optical_depth: None,
+            expected_depth: None,
             step: Some(answer.step).filter(|step| *step > 0.0),
             segments: Some(answer.segments).filter(|segments| *segments > 0),
             standard_error: Some(answer.standard_error).filter(|errors| told(errors)),

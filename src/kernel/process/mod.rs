@@ -36,8 +36,15 @@ use request::Writer;
 use std::io;
 use std::time::Instant;
 
-/// The version of the protocol.
+/// The first version of the protocol, which volver's greeting is of: a kernel answers it with the version that it keeps
+/// to, which is the first or any other of [`VERSIONS`].
 const VERSION: u64 = 1;
+
+/// The versions of the protocol that a kernel may keep to.
+const VERSIONS: [u64; 2] = [VERSION, SECOND];
+
+/// The version that has other answers than the radiance.
+const SECOND: u64 = 2;
 
 /// A program that talks the protocol.
 #[derive(Debug)]
@@ -151,16 +158,9 @@ impl ProcessKernel {
             None => self.start_anew()?,
         };
         let timeout = self.options.timeout;
-        // No fewer than binary64 has.
-        let bits = self
-            .greeting
-            .declaration
-            .format
-            .bits()
-            .max(f64::MANTISSA_DIGITS);
         let answer = child
             .exchange(&line, Instant::now().checked_add(timeout))
-            .and_then(|answer| answer::read(&answer, self.last_id, tasks, bits));
+            .and_then(|answer| answer::read(&answer, self.last_id, tasks, &self.greeting));
         match answer {
             Ok(results) => {
                 self.child = Some(child);
