@@ -244,8 +244,9 @@ impl Rows {
         } else {
             heading(width, color)
         };
+        let first = kernel.declaration().first_answer();
         let mut show = |line: &Line| {
-            let text = std::mem::take(&mut head) + &row(line, width, color);
+            let text = std::mem::take(&mut head) + &row(line, first, width, color);
             bar.above(|| self.print(&text));
         };
         let verification = verify(kernel, subjects, settings, &bar, &mut show);

@@ -70,6 +70,13 @@ impl Declaration {
         self.answers.contains(&quantity)
     }
 
+    /// The first in the order of reports of what it answers.
+    #[must_use]
+    pub fn first_answer(&self) -> Quantity {
+        let first = self.answers.iter().min();
+        first.copied().unwrap_or(Quantity::Radiance)
+    }
+
     /// Whether all of it can be at once.
     ///
     /// # Errors
@@ -109,6 +116,16 @@ impl Declaration {
                 own,
             }),
         }
+    }
+
+    /// The order that it claims on smooth cases: as it says, or as its method has it.
+    #[must_use]
+    pub fn claimed_order(&self) -> Option<f64> {
+        let of_method = || match self.method?.order() {
+            Expected::Order(own) | Expected::Blind { general: own, .. } => Some(own),
+            Expected::Exact | Expected::Unknown => None,
+        };
+        self.order.or_else(of_method)
     }
 
     /// Where it claims to sample: as it says, or as its method does.

@@ -1,5 +1,6 @@
 //! Verification as a library, on kernels that are right in one way and wrong in another.
 
+mod answers;
 mod baseline;
 mod ladder;
 mod quantum;
