@@ -4,7 +4,7 @@
 
 Samples stand in the middles of segments. The expected depth is Σ w λ with the weights w of the radiance, as depth maps
 of learned volumes are; with --by-opacity it is divided by the opacity Σ w. --only NAME, repeatable, leaves out the
-others: a projector of tomography answers the optical depth alone.
+others: a projector of tomography answers the optical depth alone. --background adds what is behind the ray.
 """
 
 import argparse
@@ -18,6 +18,7 @@ ANSWERS = ["radiance", "opacity", "optical_depth", "expected_depth"]
 def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("--by-opacity", action="store_true")
+    parser.add_argument("--background", action="store_true")
     parser.add_argument("--only", choices=ANSWERS, action="append")
     options = parser.parse_args()
     answers = options.only or ANSWERS
@@ -28,9 +29,13 @@ def main():
         found = composite(lengths, task["data"]["middles"])
         if options.by_opacity and found["opacity"] > 0:
             found["expected_depth"] /= found["opacity"]
+        if options.background:
+            through = math.exp(-found["optical_depth"])
+            found["radiance"] = [r + through * b for r, b in zip(found["radiance"], task["background"])]
         return {name: found[name] for name in answers}
 
     declaration = {"name": "depths", "form": "segments", "method": "front-to-back/middle/expm1", "answers": answers}
+    declaration["background"] = options.background
     if "expected_depth" in answers:
         declaration["expected_depth"] = "by-opacity" if options.by_opacity else "plain"
     volver_kernel.serve(declaration, render)

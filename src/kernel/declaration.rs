@@ -10,6 +10,8 @@ use std::str::FromStr;
 /// What a kernel claims to compute, and in what it answers. What it leaves out is found out, or taken from the
 /// defaults of [`Declaration::new`].
 #[derive(Clone, Debug, PartialEq)]
+// Facts that do not depend on each other.
+#[allow(clippy::struct_excessive_bools)]
 pub struct Declaration {
     /// Its name, for reports.
     pub name: String,
@@ -36,6 +38,8 @@ pub struct Declaration {
     /// It takes the last segment to be opaque, as with a length of 1e10: a wall of the last sample's emission
     /// stands at the end of the ray.
     pub far_wall: bool,
+    /// It takes a background, a radiance at the end of the ray, and is given one.
+    pub background: bool,
     /// What it answers of every ray, at least one. An opacity beside the radiance needs no word before.
     pub answers: Vec<Quantity>,
     /// What its expected depth is divided by, where it answers one.
@@ -59,6 +63,7 @@ impl Declaration {
             step_divides: false,
             multiple_of: NonZeroU64::MIN,
             far_wall: false,
+            background: false,
             answers: vec![Quantity::Radiance],
             expected_depth: DepthWeights::Plain,
         }
@@ -85,6 +90,9 @@ impl Declaration {
     pub fn check(&self) -> Result<(), DeclarationError> {
         if self.answers.is_empty() {
             return Err(DeclarationError::NoAnswers);
+        }
+        if self.far_wall && self.background {
+            return Err(DeclarationError::BackgroundOfWall);
         }
         if self.far_wall && self.has(Quantity::OpticalDepth) {
             return Err(DeclarationError::DepthOfWall);
@@ -147,6 +155,11 @@ pub enum DeclarationError {
         "it declares no answers (allowed: one or more of radiance, opacity, optical_depth, expected_depth)"
     )]
     NoAnswers,
+    /// A background behind a wall.
+    #[error(
+        "it declares a far wall and a background, which is not seen behind it (allowed: one of the two)"
+    )]
+    BackgroundOfWall,
     /// The optical depth of a ray that ends at a wall.
     #[error(
         "it declares a far wall and the optical depth, which has no end there (allowed: one of the two)"

@@ -66,6 +66,9 @@ pub fn read(line: &[u8]) -> Result<Greeting, Trouble> {
 }
 
 fn greeting(version: u64, hello: KernelHello) -> Result<Greeting, String> {
+    if hello.background.is_some() && version < SECOND {
+        return Err(of_second("background", version));
+    }
     let answers = answers(version, hello.answers)?;
     let expected_depth = match hello.expected_depth {
         None => DepthWeights::default(),
@@ -120,6 +123,7 @@ fn greeting(version: u64, hello: KernelHello) -> Result<Greeting, String> {
                 .ok_or("segments: multiples of 0 (allowed: of 1 or more)")?,
         },
         far_wall: hello.far_wall,
+        background: hello.background.unwrap_or(false),
         answers,
         expected_depth,
     };
@@ -131,15 +135,18 @@ fn greeting(version: u64, hello: KernelHello) -> Result<Greeting, String> {
     })
 }
 
+/// A key that the first version has not.
+fn of_second(key: &str, version: u64) -> String {
+    format!("{key} in protocol {version} (allowed: in protocol {SECOND})")
+}
+
 /// What it answers, in volver's order.
 fn answers(version: u64, declared: Option<Vec<WireQuantity>>) -> Result<Vec<Quantity>, String> {
     let Some(declared) = declared else {
         return Ok(vec![Quantity::Radiance]);
     };
     if version < SECOND {
-        return Err(format!(
-            "answers in protocol {version} (allowed: in protocol {SECOND})"
-        ));
+        return Err(of_second("answers", version));
     }
     let mut answers: Vec<Quantity> = declared.into_iter().map(Into::into).collect();
     let count = answers.len();
@@ -185,6 +192,7 @@ impl Greeting {
             ("step", a.step_divides == b.step_divides),
             ("segments", a.multiple_of == b.multiple_of),
             ("far_wall", a.far_wall == b.far_wall),
+            ("background", a.background == b.background),
             ("answers", a.answers == b.answers),
             ("expected_depth", a.expected_depth == b.expected_depth),
             ("numbers", self.numbers == other.numbers),

@@ -89,6 +89,8 @@ pub(super) struct KernelHello {
     /// It takes the last segment to be opaque: a wall of the last sample's emission stands at the end of the ray.
     #[serde(default)]
     pub(super) far_wall: bool,
+    /// It takes a background, and is given one with every task. Of version 2.
+    pub(super) background: Option<bool>,
     /// What it answers of every ray, at least one; the radiance unless given. Of version 2.
     #[cfg_attr(feature = "studies", schemars(length(min = 1)))]
     pub(super) answers: Option<Vec<WireQuantity>>,
@@ -242,6 +244,9 @@ pub(super) struct WireTask<'a> {
     pub(super) segments: u64,
     /// For kernels that draw random numbers: the same seed, the same answer.
     pub(super) seed: u64,
+    /// What comes from behind the end of the ray, a radiance of every channel; for kernels that take one. Of version 2.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub(super) background: Option<Vec<Written>>,
     /// The ray, in the form that the kernel asked for.
     pub(super) data: WireData<'a>,
 }

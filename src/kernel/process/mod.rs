@@ -149,6 +149,7 @@ impl ProcessKernel {
         self.last_id += 1;
         let mut writer = Writer {
             numbers: self.greeting.numbers,
+            background: self.greeting.declaration.background,
             files: self.files.as_mut(),
         };
         let line = writer.line(self.last_id, tasks);

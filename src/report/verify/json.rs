@@ -33,6 +33,8 @@ struct Document<'a> {
 }
 
 #[derive(Serialize)]
+// Facts that do not depend on each other.
+#[allow(clippy::struct_excessive_bools)]
 struct Kernel<'a> {
     name: &'a str,
     form: String,
@@ -45,6 +47,7 @@ struct Kernel<'a> {
     step_divides: bool,
     multiple_of: NonZeroU64,
     far_wall: bool,
+    background: bool,
     answers: Vec<&'static str>,
     #[serde(skip_serializing_if = "Option::is_none")]
     expected_depth: Option<&'static str>,
@@ -157,6 +160,7 @@ pub fn json(verification: &Verification) -> Result<String, ReportError> {
             step_divides: declaration.step_divides,
             multiple_of: declaration.multiple_of,
             far_wall: declaration.far_wall,
+            background: declaration.background,
             answers: declaration.answers.iter().map(|one| one.name()).collect(),
             expected_depth: declaration
                 .has(Quantity::ExpectedDepth)

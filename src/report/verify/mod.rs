@@ -257,12 +257,24 @@ fn run(verification: &Verification) -> Block {
     let declaration = &verification.declaration;
     let declared = declaration.method.map_or("none".into(), |m| m.name());
     let claimed = declaration.order.map_or("none".into(), |o| o.to_string());
+    let answers: Vec<String> = declaration
+        .answers
+        .iter()
+        .map(ToString::to_string)
+        .collect();
+    let behind = if declaration.background {
+        "0.5 behind the first channel, 0.25 more behind each further one"
+    } else {
+        "none"
+    };
     Block::Facts(vec![
         Fact::new("levels", axis(verification)),
         Fact::new("declared method", declared),
         Fact::new("declared order", claimed),
         Fact::new("format", declaration.format.to_string()),
         Fact::new("given", declaration.form.to_string()),
+        Fact::new("answers", answers.join(", ")),
+        Fact::new("background", behind),
     ])
 }
 

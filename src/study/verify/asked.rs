@@ -182,7 +182,10 @@ impl<'a> Asked<'a> {
     /// What was answered, where that is one answer to each ray: to compare a rule with.
     pub(super) fn seen(&self, answers: &Answers) -> Result<Vec<SeenLevel>, VerifyError> {
         let mut seen = Vec::new();
-        if self.declaration.stochastic || self.declaration.form == FormKind::Volume {
+        // A rule knows no background.
+        let has_background = !self.subject.background().is_empty();
+        let has_rule = !self.declaration.stochastic && !has_background;
+        if !has_rule || self.declaration.form == FormKind::Volume {
             return Ok(seen);
         }
         let firsts = answers.levels.iter().map(|level| level.first());

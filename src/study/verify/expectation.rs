@@ -34,9 +34,8 @@ pub(super) fn of(
         // A kernel that looks up its grid says nothing of how: linear between points is what it is given.
         return Some(general(GRID_ORDER));
     }
-    if wanted.quantity != Quantity::Radiance
-        && let Some(method) = declaration.method
-    {
+    let is_other = wanted.quantity != Quantity::Radiance || wanted.background != 0.0;
+    if is_other && let Some(method) = declaration.method {
         return Some(of_other(&method, wanted, declaration, &structure, &general));
     }
     match (declaration.method, declaration.order) {
@@ -55,9 +54,10 @@ pub(super) fn of(
     }
 }
 
-/// What is expected of another quantity than the radiance of a method.
+/// What is expected of another quantity than the radiance of a method, or of one before a background.
 ///
-/// A composite has the opacity that its weights add up to, which is a radiance like others, and sums its depth by a rule. Of
+/// A composite has the opacity that its weights add up to, which is a radiance like others, lets through as much of a
+/// background as is left, and sums its depth by a rule. Of
 /// other methods, and of a mean depth, which may be taken at other places than the samples, nobody knows how a kernel makes
 /// them: the order of the method is the least that may show.
 fn of_other(
@@ -69,7 +69,9 @@ fn of_other(
 ) -> Expected {
     let of_samples = declaration.form != FormKind::Volume && !declaration.far_wall;
     match (wanted.quantity, method) {
-        (Quantity::Opacity, Method::Composited(_)) if of_samples => expected(method, &wanted.case),
+        (Quantity::Radiance | Quantity::Opacity, Method::Composited(_)) if of_samples => {
+            expected(method, &wanted.case)
+        }
         (Quantity::OpticalDepth, Method::Composited(compositing)) if of_samples => {
             match depth_rule(compositing) {
                 Some((_, rule)) => Inner::PerSegment(rule).expected(structure),

@@ -2,6 +2,7 @@
 
 mod accept;
 mod asked;
+mod background;
 #[cfg(feature = "studies")]
 mod baseline;
 mod expectation;
@@ -32,7 +33,7 @@ pub use standing::{Counts, Standing};
 use super::Progress;
 use crate::convergence::Verdict;
 use crate::identify::OPACITY_ANSWERED;
-use crate::kernel::{Declaration, DeclarationError, Kernel, Quantity, Subject};
+use crate::kernel::{Declaration, DeclarationError, Kernel, Quantity, Subject, SubjectError};
 use crate::reference::ReferenceError;
 use asked::Asked;
 use identified::{Ladder, identified};
@@ -264,6 +265,8 @@ pub fn verify(
     let declaration = kernel.declaration().clone();
     declaration.check()?;
     let settings = &settings.suited(&declaration)?;
+    let lit = background::before(subjects, &declaration, settings)?;
+    let subjects = lit.as_deref().unwrap_or(subjects);
     let mut lines = Vec::new();
     let mut unanswered = 0;
     let mut seeds = Seeds::new(settings.replicas);
@@ -346,6 +349,9 @@ pub enum VerifyError {
         /// Why.
         error: ReferenceError,
     },
+    /// A background that is none of the case.
+    #[error(transparent)]
+    Background(#[from] SubjectError),
     /// The kernel wants what there is none of on this axis.
     #[error("the kernel takes {form} (allowed with --axis grid: volume)")]
     Axis {

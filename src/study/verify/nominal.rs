@@ -44,6 +44,15 @@ pub(super) struct Nominal {
 }
 
 impl Nominal {
+    /// With what is behind a ray whose samples are by so much darker.
+    pub(super) fn before(self, background: f64) -> Nominal {
+        Nominal {
+            exact: self.exact + background,
+            in_format: self.in_format + background,
+            ..self
+        }
+    }
+
     /// Whether it comes of the samples that the kernel was given, and not of the case.
     pub(super) fn is_of_samples(&self) -> bool {
         self.is_of_samples

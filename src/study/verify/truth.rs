@@ -37,6 +37,14 @@ pub(super) fn of(wanted: &Wanted, bits: u32, far_wall: bool) -> Result<Option<Tr
             );
             Ok(Some((weighted / opacity, unproved)))
         }
+        Quantity::Radiance if wanted.background != 0.0 => {
+            let (radiance, unproved) = of_case(&wanted.ray, bits, far_wall)?;
+            let (depth, _) = depth(&wanted.ray, bits)?;
+            Ok(Some((
+                radiance + (-depth).exp() * wanted.background,
+                unproved,
+            )))
+        }
         Quantity::Radiance | Quantity::ExpectedDepth => of_case(case, bits, far_wall).map(Some),
     }
 }
@@ -112,10 +120,14 @@ pub(super) fn of_volume(volume: &Volume, length: &Rational, wanted: &Wanted, bit
                 weighted
             }
         }
-        Quantity::Radiance => radiance_of_volume(volume, length, bits, |_, emission| {
-            let of_channel = emission.get(wanted.channel);
-            Float::with_val(bits, of_channel.copied().unwrap_or(f64::NAN))
-        }),
+        Quantity::Radiance => {
+            let of = |_: f64, emission: &[f64]| {
+                let of_channel = emission.get(wanted.channel);
+                Float::with_val(bits, of_channel.copied().unwrap_or(f64::NAN))
+            };
+            let passes = (-depth_of_volume(volume, length, bits)).exp();
+            radiance_of_volume(volume, length, bits, of) + passes * wanted.background
+        }
     }
 }
 

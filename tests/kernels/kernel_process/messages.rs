@@ -206,10 +206,11 @@ fn greetings_say_all_that_a_declaration_holds() {
         "every key of the first version is told apart"
     );
     assert!(least.changes(&least).is_empty());
-    let second = br#"{"type":"hello","protocol":2,"name":"a","form":"segments",
+    let second = br#"{"type":"hello","protocol":2,"name":"a","form":"segments","background":true,
         "answers":["expected_depth","opacity"],"expected_depth":"by-opacity"}"#;
     let second = read_greeting(second).unwrap();
     let declaration = Declaration {
+        background: true,
         answers: vec![Quantity::Opacity, Quantity::ExpectedDepth],
         expected_depth: DepthWeights::ByOpacity,
         ..Declaration::new("a")
@@ -217,7 +218,7 @@ fn greetings_say_all_that_a_declaration_holds() {
     assert_eq!(second.declaration, declaration);
     assert_eq!(
         second.changes(&least),
-        ["protocol", "answers", "expected_depth"]
+        ["protocol", "background", "answers", "expected_depth"]
     );
     // What the second version need not say is as in the first.
     let least = br#"{"type":"hello","protocol":2,"name":"a","form":"segments"}"#;
@@ -334,6 +335,10 @@ fn greetings_of_other_versions_are_refused_with_what_they_lack() {
         (
             r#""protocol":1,"answers":["opacity"]"#,
             "answers in protocol 1 (allowed: in protocol 2)",
+        ),
+        (
+            r#""protocol":1,"background":false"#,
+            "background in protocol 1 (allowed: in protocol 2)",
         ),
         (
             r#""protocol":2,"answers":[]"#,

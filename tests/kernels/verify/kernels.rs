@@ -183,6 +183,8 @@ fn all_that_an_example_answers_is_measured() {
     run.hides("sine-squared:opacity");
     let divided = [&kernel[..], &["--by-opacity"]].concat();
     verify(&["--identify", "off"], &divided).with_code(0);
+    let behind = [&kernel[..], &["--background"]].concat();
+    verify(&[], &behind).with_code(0).shows(MIDDLE);
     let depth = [&kernel[..], &["--only", "optical_depth"]].concat();
     let run = verify(&[], &depth).with_code(0);
     assert!(

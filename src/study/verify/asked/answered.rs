@@ -146,7 +146,7 @@ impl Asked<'_> {
         let values: Vec<Float> = values.collect();
         let (n, step) = self.coordinate(level, count, given.step);
         let mut floor = self.floor(wanted, exact, level, nominal.as_ref(), &given);
-        floor += self.not_refined(level, &given) + of_tables;
+        floor += self.not_refined(level, &given)? + of_tables;
         // Of a volume a method that is no rule has not the samples.
         let has_samples =
             level.volume.is_none() || nominal.as_ref().is_some_and(Nominal::is_of_samples);
@@ -187,6 +187,10 @@ impl Asked<'_> {
     /// its own matter.
     fn nominal(&self, wanted: &Wanted, given: &Given<'_>) -> Option<Nominal> {
         match (wanted.quantity, self.declaration.method) {
+            (Quantity::Radiance, Some(Method::Composited(_))) if wanted.background != 0.0 => {
+                Some(nominal::at_level(self.declaration, given)?.before(wanted.background))
+            }
+            (Quantity::Radiance, _) if wanted.background != 0.0 => None,
             (Quantity::Radiance, _) | (Quantity::Opacity, Some(Method::Composited(_))) => {
                 nominal::at_level(self.declaration, given)
             }

@@ -75,9 +75,9 @@ impl Asked<'_> {
 
     /// What the step leaves of an error while the grid is refined: not what this kernel shows, which may be wrong,
     /// but what one does that samples as it says.
-    pub(super) fn not_refined(&self, level: &Level, given: &Given<'_>) -> f64 {
+    pub(super) fn not_refined(&self, level: &Level, given: &Given<'_>) -> Result<f64, VerifyError> {
         let (Axis::Grid, Some(volume)) = (self.settings.axis, &level.volume) else {
-            return 0.0;
+            return Ok(0.0);
         };
         let rule = self.declaration.method.as_ref().and_then(stated);
         let rule = rule.unwrap_or_else(|| {
@@ -92,9 +92,9 @@ impl Asked<'_> {
         });
         let sampled = radiance(&rule, given.segments, given.step, given.channel);
         let bits = f64::MANTISSA_DIGITS;
-        let wanted = Wanted::radiance(self.subject, given.channel);
+        let wanted = Wanted::radiance(self.subject, given.channel)?;
         let whole = truth::of_volume(volume, self.subject.length(), &wanted, bits);
-        (sampled - whole.to_f64()).abs()
+        Ok((sampled - whole.to_f64()).abs())
     }
 
     /// What tables leave of an error, however fine the grid; 0 where the step is refined, which leads to the

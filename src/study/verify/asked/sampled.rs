@@ -36,7 +36,7 @@ pub(super) fn by_middles(wanted: &Wanted, segments: &Segments, step: f64, channe
             radiance(&rule, segments, step, channel) / opacity
         }
         Quantity::Radiance | Quantity::Opacity | Quantity::ExpectedDepth => {
-            radiance(&rule, segments, step, channel)
+            wanted.background + radiance(&rule, segments, step, channel)
         }
     }
 }

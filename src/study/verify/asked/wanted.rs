@@ -3,6 +3,8 @@
 //! Opacity and expected depth are radiances of the same ray with another emission: ∫ τ e^(−t) = 1 − e^(−t(D)) is that with
 //! C = 1, and ∫ λ τ e^(−t) that with C = λ. So their samples, errors and methods are those of radiances. The optical
 //! depth has no attenuation: its rules are those of ∫ τ.
+//!
+//! A background B adds e^(−t(D)) B, which is B − ∫ B τ e^(−t): the radiance is B and that of the ray with C − B.
 
 use crate::case::manufacture::lit;
 use crate::case::{Case, Fresh, SymbolicCase};
@@ -16,7 +18,7 @@ use crate::real::{Format, FormatName, Real, WithFormat};
 use crate::study::verify::VerifyError;
 use crate::study::verify::peers;
 use crate::symbolic::Expr;
-use rug::Float;
+use rug::{Float, Rational};
 
 /// One number of an answer.
 #[derive(Clone, Debug)]
@@ -26,9 +28,13 @@ pub(in crate::study::verify) struct Wanted {
     pub(in crate::study::verify) quantity: Quantity,
     /// Of a radiance.
     pub(in crate::study::verify) channel: usize,
+    /// What is behind the ray, of a radiance.
+    pub(in crate::study::verify) background: f64,
     /// Of an expected depth.
     pub(in crate::study::verify) weights: DepthWeights,
-    /// The ray lit so that its radiance is the quantity, before anything is divided. Of an optical depth C = e^t, so that
+    /// The ray as it is, by itself.
+    pub(in crate::study::verify) ray: SymbolicCase,
+    /// The ray lit so that its radiance is the quantity, before anything is divided or behind it. Of an optical depth C = e^t, so that
     /// C τ e^(−t) = τ, which theory is asked about.
     pub(in crate::study::verify) case: SymbolicCase,
     /// The ray lit evenly, whose radiance is the opacity.
@@ -37,16 +43,36 @@ pub(in crate::study::verify) struct Wanted {
 
 impl Wanted {
     /// A radiance.
-    pub(in crate::study::verify) fn radiance(subject: &Subject, channel: usize) -> Wanted {
-        let case = &subject.cases()[channel];
-        Wanted {
-            name: case.name().into(),
+    ///
+    /// # Errors
+    /// [`VerifyError::Formula`], which cases of formulas do not cause.
+    pub(in crate::study::verify) fn radiance(
+        subject: &Subject,
+        channel: usize,
+    ) -> Result<Wanted, VerifyError> {
+        let ray = &subject.cases()[channel];
+        let background = subject.background().get(channel).copied().unwrap_or(0.0);
+        let case = match Rational::from_f64(background) {
+            Some(behind) if behind != 0 => {
+                let of = ray.formulas();
+                let emission = of.emission.substitute("s", &of.field) - Expr::number(behind);
+                lit(ray, ray.name(), &emission).map_err(|error| VerifyError::Formula {
+                    case: ray.name().into(),
+                    error,
+                })?
+            }
+            _ => ray.clone(),
+        };
+        Ok(Wanted {
+            name: ray.name().into(),
             quantity: Quantity::Radiance,
             channel,
+            background,
             weights: DepthWeights::Plain,
-            case: case.clone(),
+            ray: ray.clone(),
+            case,
             even: None,
-        }
+        })
     }
 
     /// Another quantity of a ray.
@@ -75,6 +101,8 @@ impl Wanted {
             even: Some(lit(ray, &name, &one).map_err(failed)?),
             quantity,
             channel: 0,
+            background: 0.0,
+            ray: ray.clone(),
             weights,
             name,
         })
@@ -92,15 +120,21 @@ impl Wanted {
 
     /// The samples of a ray lit as this is; the channel is then the first.
     pub(in crate::study::verify) fn lit(&self, segments: Segments) -> Segments {
-        if self.quantity == Quantity::Radiance {
+        if self.quantity == Quantity::Radiance && self.background == 0.0 {
             return segments;
         }
-        let lit = |samples: Samples| Samples {
-            emission: vec![match self.quantity {
-                Quantity::ExpectedDepth => samples.lambda.clone(),
-                _ => vec![1.0; samples.lambda.len()],
-            }],
-            ..samples
+        let lit = |mut samples: Samples| {
+            match self.quantity {
+                Quantity::Radiance => {
+                    let emission = samples.emission.iter_mut().flatten();
+                    emission.for_each(|c| *c -= self.background);
+                }
+                Quantity::ExpectedDepth => samples.emission = vec![samples.lambda.clone()],
+                Quantity::Opacity | Quantity::OpticalDepth => {
+                    samples.emission = vec![vec![1.0; samples.lambda.len()]];
+                }
+            }
+            samples
         };
         Segments {
             edges: lit(segments.edges),
@@ -120,7 +154,7 @@ impl Wanted {
         let methods = peers::methods(order).into_iter();
         let run = |method| match (&self.even, self.is_divided()) {
             (Some(even), true) => Run::Divided(&self.case, even, method),
-            _ => Run::Radiance(&self.case, method),
+            _ => Run::Radiance(&self.case, method, self.background),
         };
         methods.map(run).collect()
     }
@@ -141,8 +175,8 @@ const DEPTHS: [Rule; 8] = [
 /// A method on the ray of a quantity.
 #[derive(Clone, Copy, Debug)]
 pub(in crate::study::verify) enum Run<'a> {
-    /// Its radiance.
-    Radiance(&'a SymbolicCase, Method),
+    /// Its radiance, and what is behind it.
+    Radiance(&'a SymbolicCase, Method, f64),
     /// That of the first ray, divided by that of the second.
     Divided(&'a SymbolicCase, &'a SymbolicCase, Method),
     /// The optical depth by a rule.
@@ -160,7 +194,9 @@ impl Run<'_> {
         n: u64,
     ) -> Result<Float, MethodError> {
         match self {
-            Run::Radiance(case, method) => radiance_in(format, method, *case, n),
+            Run::Radiance(case, method, behind) => {
+                Ok(radiance_in(format, method, *case, n)? + *behind)
+            }
             Run::Divided(case, even, method) => {
                 let weighted = radiance_in(format, method, *case, n)?;
                 Ok(weighted / radiance_in(format, method, *even, n)?)
@@ -214,7 +250,9 @@ pub(in crate::study::verify) fn wanted<'r>(
     let mut all = Vec::new();
     if declaration.has(Quantity::Radiance) {
         let channels = 0..subject.channels().len();
-        all.extend(channels.map(|channel| Wanted::radiance(subject, channel)));
+        for channel in channels {
+            all.push(Wanted::radiance(subject, channel)?);
+        }
     }
     let came = answers.any(|rendering| rendering.opacity.is_some());
     for quantity in Quantity::ALL {
