@@ -87,6 +87,9 @@ impl<'a> Asked<'a> {
         if settings.axis == Axis::Grid && form != FormKind::Volume {
             return Err(VerifyError::Axis { form });
         }
+        if settings.axis == Axis::Grid && !declaration.has(Quantity::Radiance) {
+            return Err(VerifyError::NoRadiance);
+        }
         let cut_error = |error| VerifyError::Cut {
             case: subject.name().into(),
             error,

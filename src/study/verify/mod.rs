@@ -358,6 +358,11 @@ pub enum VerifyError {
         /// The form it takes.
         form: crate::kernel::FormKind,
     },
+    /// The kernel answers nothing that is looked at on this axis.
+    #[error(
+        "the kernel answers no radiance (allowed with --axis grid: a radiance among its answers)"
+    )]
+    NoRadiance,
     /// A formula without code.
     #[error("{case}: {error}")]
     Formula {

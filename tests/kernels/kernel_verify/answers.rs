@@ -5,7 +5,8 @@ use rug::Float;
 use std::fmt;
 use volver::convergence::Verdict;
 use volver::kernel::{
-    Declaration, DepthWeights, Kernel, KernelError, Quantity, Rendering, Segments, Task,
+    Declaration, DepthWeights, FormKind, Kernel, KernelError, Quantity, Rendering, Sampling,
+    Segments, Task,
 };
 use volver::method::Expected;
 use volver::real::FormatName;
@@ -76,6 +77,12 @@ impl Marcher {
         method.is_some_and(|method| method.name().contains("/front/"))
     }
 
+    /// The length of a segment; the last is a wall where that is declared.
+    fn length(&self, segments: &Segments, i: usize, length: f64) -> f64 {
+        let is_wall = self.declaration.far_wall && i + 1 == segments.count();
+        if is_wall { 1e10 } else { length }
+    }
+
     fn march(&self, segments: &Segments, channel: usize) -> (f64, Sums) {
         let samples = if self.is_in_front() {
             &segments.edges
@@ -86,6 +93,7 @@ impl Marcher {
         let (mut radiance, mut through) = (0.0, 1.0);
         let (mut depth, mut weighted) = (0.0, 0.0);
         for (i, length) in segments.lengths().enumerate() {
+            let length = self.length(segments, i, length);
             let of_segment = round(samples.extinction[i] * length);
             let alpha = round(-(-of_segment).exp_m1());
             let weight = round(through * alpha);
@@ -489,4 +497,155 @@ fn noise_in_an_opacity_is_no_order() {
     });
     assert_eq!(bad.count(), 0, "{}", shown(&verification));
     assert_eq!(verification.conclusion(), Conclusion::NotConfirmed);
+}
+
+#[test]
+fn a_wall_ends_opacity_and_mean_depth() {
+    let mut kernel = Marcher::new(declared(FRONT), as_it_is);
+    kernel.declaration.far_wall = true;
+    kernel.declaration.answers = vec![
+        Quantity::Radiance,
+        Quantity::Opacity,
+        Quantity::ExpectedDepth,
+    ];
+    let cases = [
+        "sine-squared",
+        "decaying-field",
+        "hyperbolic-tangent",
+        "linear-transfer",
+    ];
+    let subjects = subjects(&cases);
+    let verification = run(&mut kernel, &subjects, &settings());
+    let said = shown(&verification);
+    assert_eq!(verification.conclusion(), Conclusion::Confirmed, "{said}");
+    for line in verification.of(Quantity::Opacity) {
+        assert_eq!(
+            (line.exact.to_f64(), line.measured.verdict()),
+            (1.0, Verdict::Exact),
+            "{said}"
+        );
+    }
+    assert!(
+        count(&verification, Quantity::ExpectedDepth, Standing::Confirmed) >= 3,
+        "{said}"
+    );
+    // What ends where the medium does is another ray.
+    kernel.declaration.far_wall = false;
+    let free = run(&mut kernel, &subjects, &settings());
+    assert_eq!(free.conclusion(), Conclusion::Confirmed, "{}", shown(&free));
+    let depths = |of: &Verification| -> Vec<f64> {
+        let lines = of.of(Quantity::ExpectedDepth);
+        lines.map(|line| line.exact.to_f64()).collect()
+    };
+    for (with, without) in depths(&verification).iter().zip(depths(&free)) {
+        assert!(*with > without);
+    }
+}
+
+/// One sample somewhere in every segment, by the seed; the opacity is `factor` times what it should be.
+struct Jittered {
+    declaration: Declaration,
+    factor: f64,
+}
+
+impl fmt::Debug for Jittered {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str("Jittered")
+    }
+}
+
+impl Kernel for Jittered {
+    fn declaration(&self) -> &Declaration {
+        &self.declaration
+    }
+
+    fn render(&mut self, task: &Task<'_>) -> Result<Rendering, KernelError> {
+        let mut state = task.seed.wrapping_mul(0x9e37_79b9_7f4a_7c15) ^ (task.segments << 32);
+        let mut part = || {
+            for shift in [13_u32, 7, 17] {
+                state = state.wrapping_add(0x2545_f491_4f6c_dd1d);
+                state ^= if shift == 7 {
+                    state << shift
+                } else {
+                    state >> shift
+                };
+            }
+            (state >> 11) as f64 / 53_f64.exp2()
+        };
+        let mut emission = vec![0.0; task.subject.channels().len()];
+        let mut radiance = vec![0.0; emission.len()];
+        let (mut through, mut depth, mut weighted) = (1.0, 0.0, 0.0);
+        for j in 0..task.segments {
+            let lambda = (j as f64 + part()) * task.step;
+            let of_segment = task.subject.at(lambda, &mut emission) * task.step;
+            let weight = through * -(-of_segment).exp_m1();
+            for (sum, c) in radiance.iter_mut().zip(&emission) {
+                *sum += weight * c;
+            }
+            weighted += weight * lambda;
+            through *= (-of_segment).exp();
+            depth += of_segment;
+        }
+        let float = |x: f64| Float::with_val(53, x);
+        Ok(Rendering {
+            radiance: radiance.into_iter().map(float).collect(),
+            opacity: Some(float(self.factor * (1.0 - through))),
+            optical_depth: Some(float(depth)),
+            expected_depth: Some(float(weighted)),
+            ..Rendering::default()
+        })
+    }
+}
+
+#[test]
+fn random_answers_have_orders_too() {
+    let declaration = Declaration {
+        form: FormKind::Function,
+        order: Some(1.5),
+        stochastic: true,
+        sampling: Some(Sampling::Jittered),
+        answers: Quantity::ALL.to_vec(),
+        ..Declaration::new("jittered")
+    };
+    let settings = Settings {
+        identify: Identify::Off,
+        ..super::settings("16..256")
+    };
+    let subjects = subjects(&super::SMOOTH);
+    let verified = |factor| {
+        let declaration = declaration.clone();
+        run(
+            &mut Jittered {
+                declaration,
+                factor,
+            },
+            &subjects,
+            &settings,
+        )
+    };
+    let verification = verified(1.0);
+    let said = shown(&verification);
+    assert_eq!(verification.conclusion(), Conclusion::Confirmed, "{said}");
+    for quantity in Quantity::ALL {
+        let confirmed = count(&verification, quantity, Standing::Confirmed);
+        assert!(confirmed >= 4, "{quantity} {said}");
+        assert_eq!(
+            count(&verification, quantity, Standing::Contradicted),
+            0,
+            "{said}"
+        );
+    }
+    // A bias in one of them.
+    let biased = verified(0.98);
+    let said = shown(&biased);
+    assert_eq!(biased.conclusion(), Conclusion::NotConfirmed, "{said}");
+    assert!(
+        count(&biased, Quantity::Opacity, Standing::Contradicted) >= 4,
+        "{said}"
+    );
+    assert_eq!(
+        count(&biased, Quantity::OpticalDepth, Standing::Contradicted),
+        0,
+        "{said}"
+    );
 }

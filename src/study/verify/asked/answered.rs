@@ -310,7 +310,9 @@ impl Asked<'_> {
         let exact = &radiances.exact;
         let seen = peers.beside(exact, &levels);
         let remarks = remarks(&seen, &of_spots.beside(exact, &beside));
-        let outside = (wanted.quantity == Quantity::Opacity)
+        // What scatters may do so about 1.
+        let is_bounded = wanted.quantity == Quantity::Opacity && !self.declaration.stochastic;
+        let outside = is_bounded
             .then(|| radiances.outside_of_opacities())
             .flatten();
         let standing = standing::of(&Judged {
