@@ -54,6 +54,12 @@ extern "C" {
 #define VOLVER_HAS(pointer, type, member) \
   ((pointer)->size >= offsetof(type, member) + sizeof((pointer)->member))
 
+/* What a kernel may answer of a ray, for volver_declaration.answers. */
+#define VOLVER_RADIANCE 1u
+#define VOLVER_OPACITY 2u
+#define VOLVER_OPTICAL_DEPTH 4u
+#define VOLVER_EXPECTED_DEPTH 8u
+
 /* Makes a function visible outside of the library. */
 #if defined(_WIN32)
 #define VOLVER_EXPORT __declspec(dllexport)
@@ -96,6 +102,13 @@ typedef struct volver_declaration {
   /* It works on numbers of segments that are multiples of this, and is asked nothing else. 0: on any. A later
    * member than the first. */
   uint64_t multiple_of;
+  /* What it answers of every ray: VOLVER_RADIANCE | VOLVER_OPACITY for instance. 0: the radiance, and an opacity where it
+   * writes one. A later member than the first. */
+  uint32_t answers;
+  /* Not 0: its expected depth is divided by the opacity. 0. A later member than the first. */
+  int32_t by_opacity;
+  /* Not 0: it takes the background of its tasks. 0. A later member than the first. */
+  int32_t background;
 } volver_declaration;
 
 /* The medium along the ray, as a function. */
@@ -138,6 +151,9 @@ typedef struct volver_task {
   volver_samples edges;
   /* The n middles. */
   volver_samples middles;
+  /* What comes from behind the end of the ray, a radiance of every channel; null unless the kernel takes one. A later member
+   * than the first. */
+  const double *background;
 } volver_task;
 
 /* The answer. volver fills it with what holds where the kernel writes nothing, as noted. */
@@ -156,6 +172,11 @@ typedef struct volver_result {
   uint64_t segments;
   /* Why nothing came of the task, where volver_render does not return 0; UTF-8. Empty. */
   char message[256];
+  /* The integral of tau over the whole ray. NaN. A later member than the first. */
+  double optical_depth;
+  /* The sum of w lambda with the weights w of the samples, divided by the opacity where that was declared. NaN. A later
+   * member than the first. */
+  double expected_depth;
 } volver_result;
 
 /* The three functions of a kernel. volver calls one function of one library at a time, on any thread. */

@@ -53,8 +53,9 @@ impl fmt::Display for OrderError {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
             OrderError::Unconfirmed(verification) => {
+                let first = verification.declaration.first_answer();
                 let rows = verification.lines.iter();
-                let rows: String = rows.map(|line| row(line, WIDTH, false)).collect();
+                let rows: String = rows.map(|line| row(line, first, WIDTH, false)).collect();
                 let head = heading(WIDTH, false);
                 let about = About::new(std::env::args_os());
                 let closing = terminal(&document(verification, &about), WIDTH, false);

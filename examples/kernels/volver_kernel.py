@@ -1,10 +1,11 @@
-"""What a kernel in Python needs to talk to volver: docs/protocol.md, version 1.
+"""What a kernel in Python needs to talk to volver: docs/protocol.md, versions 1 and 2.
 
     import volver_kernel
     volver_kernel.serve({"name": "mine", "form": "segments"}, render)
 
 render(task) is given a task of the protocol as a dictionary, and returns the radiances, one a channel, or a
-dictionary with "radiance" and what else a result may hold. What it raises becomes the task's error. It may print.
+dictionary with "radiance" and what else a result may hold; with "answers" in the declaration what these name. What it
+raises becomes the task's error. It may print.
 Arrays are array.array("d"), which numpy.asarray takes without a copy; with "arrays": "json" they are lists.
 """
 
@@ -29,13 +30,14 @@ def serve(declaration, render):
 
     requests.readline()  # volver's greeting, which has nothing that a kernel needs
     # From some hundred numbers on files are much faster than text.
-    answer({"type": "hello", "protocol": 1, "arrays": "npy", **declaration})
+    protocol = 2 if "answers" in declaration else 1
+    answer({"type": "hello", "protocol": protocol, "arrays": "npy", **declaration})
     for line in requests:
         request = json.loads(line, object_hook=_loaded)
         if b'nan"' in line or b'inf"' in line:
             request = _floats(request)
         results = [_result(render, task) for task in request["tasks"]]
-        answer({"type": "radiance", "id": request["id"], "results": results})
+        answer({"type": "answer" if protocol == 2 else "radiance", "id": request["id"], "results": results})
 
 
 def _result(render, task):

@@ -13,6 +13,7 @@ mod checks;
 mod derive;
 mod ends;
 mod error;
+mod lit;
 mod places;
 mod polynomial;
 mod regularity;
@@ -20,6 +21,7 @@ mod statement;
 mod structure;
 
 pub use error::{Contradiction, ManufactureError};
+pub(crate) use lit::lit;
 pub use statement::{Check, Outcome, Statement};
 
 use super::file::{ChannelDescription, Description};

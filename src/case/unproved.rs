@@ -13,6 +13,14 @@ pub struct Unproved {
     pub reason: String,
 }
 
+impl Unproved {
+    /// Whether it is a value at the end of the ray that is an estimate, and no statement of the case.
+    #[must_use]
+    pub(crate) fn is_of_value(&self) -> bool {
+        self.claim.ends_with("(D)")
+    }
+}
+
 impl fmt::Display for Unproved {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         write!(f, "{}: {}", self.claim, self.reason)

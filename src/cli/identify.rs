@@ -14,7 +14,7 @@ use std::path::PathBuf;
 use std::str::FromStr;
 use std::time::Duration;
 use volver::identify::{Budget, Examined, Known, Spent, Verdict, against, examine};
-use volver::kernel::Kernel;
+use volver::kernel::{Kernel, Quantity};
 use volver::report::identify::{Other, document, json, write};
 use volver::study::Progress;
 use volver::symbolic::code::Language;
@@ -196,6 +196,10 @@ impl Identify {
         kernel: &mut dyn Kernel,
         named: &KernelArguments,
     ) -> Result<Examined, Failure> {
+        if !kernel.declaration().has(Quantity::Radiance) {
+            let why = "it answers no radiance (allowed: a radiance among its answers)";
+            return Err(named.failed(anyhow::anyhow!(why)));
+        }
         let examined = self.with_bar(|heard| examine(kernel, self.limits(), heard));
         if examined.verdict() == Verdict::NoAnswer {
             let reasons = examined.found.not_identified.iter();

@@ -21,7 +21,7 @@ const EXAMPLES: &str = "\
 The exit code is 0 where the order shows wherever methods of that order show theirs,
 nothing contradicts, the values are those of the method that the kernel declares, and
 the rule that it computes has no deviation but those of --accept; 1 where not; 2 where
-it could not run.
+it could not run. Opacity, optical and expected depth are tested where it answers them.
 
 Work: cases × levels × seeds, at most 64 levels of 524288 segments, and as many rays again
 for the rule; a program has --timeout for each answer. A bar on the terminal says how much is left.
@@ -244,8 +244,9 @@ impl Rows {
         } else {
             heading(width, color)
         };
+        let first = kernel.declaration().first_answer();
         let mut show = |line: &Line| {
-            let text = std::mem::take(&mut head) + &row(line, width, color);
+            let text = std::mem::take(&mut head) + &row(line, first, width, color);
             bar.above(|| self.print(&text));
         };
         let verification = verify(kernel, subjects, settings, &bar, &mut show);

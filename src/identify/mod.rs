@@ -49,6 +49,7 @@ pub use examined::{Examined, Verdict, examine};
 pub use finding::NotIdentified;
 pub use holdout::{HoldOut, Kind, Miss};
 pub use identification::{Bracket, Identification, Parameter, Parts, VacuumFails};
+pub(crate) use opacity_answered::NAME as OPACITY_ANSWERED;
 pub use opacity_answered::OpacityAnswered;
 pub use part::{Part, Stated, parts};
 pub use precision::Precision;

@@ -31,7 +31,7 @@ impl fmt::Display for OpacityAnswered {
 }
 
 /// The deviation.
-pub(super) const NAME: &str = "opacity-answered";
+pub(crate) const NAME: &str = "opacity-answered";
 
 /// Extinctions of the rays that are asked, of 1, 2 and 5 segments.
 const TAUS: [f64; 6] = [1.0, 3.0, 0.1, 10.0, 0.001, 50.0];

@@ -1,6 +1,6 @@
 //! What a kernel says of itself.
 
-use super::FormKind;
+use super::{DepthWeights, FormKind, Quantity};
 use crate::method::{Expected, Method, Position};
 use crate::real::FormatName;
 use std::fmt;
@@ -10,6 +10,8 @@ use std::str::FromStr;
 /// What a kernel claims to compute, and in what it answers. What it leaves out is found out, or taken from the
 /// defaults of [`Declaration::new`].
 #[derive(Clone, Debug, PartialEq)]
+// Facts that do not depend on each other.
+#[allow(clippy::struct_excessive_bools)]
 pub struct Declaration {
     /// Its name, for reports.
     pub name: String,
@@ -36,6 +38,12 @@ pub struct Declaration {
     /// It takes the last segment to be opaque, as with a length of 1e10: a wall of the last sample's emission
     /// stands at the end of the ray.
     pub far_wall: bool,
+    /// It takes a background, a radiance at the end of the ray, and is given one.
+    pub background: bool,
+    /// What it answers of every ray, at least one. An opacity beside the radiance needs no word before.
+    pub answers: Vec<Quantity>,
+    /// What its expected depth is divided by, where it answers one.
+    pub expected_depth: DepthWeights,
 }
 
 impl Declaration {
@@ -55,14 +63,40 @@ impl Declaration {
             step_divides: false,
             multiple_of: NonZeroU64::MIN,
             far_wall: false,
+            background: false,
+            answers: vec![Quantity::Radiance],
+            expected_depth: DepthWeights::Plain,
         }
+    }
+
+    /// Whether it says that it answers that.
+    #[must_use]
+    pub fn has(&self, quantity: Quantity) -> bool {
+        self.answers.contains(&quantity)
+    }
+
+    /// The first in the order of reports of what it answers.
+    #[must_use]
+    pub fn first_answer(&self) -> Quantity {
+        let first = self.answers.iter().min();
+        first.copied().unwrap_or(Quantity::Radiance)
     }
 
     /// Whether all of it can be at once.
     ///
     /// # Errors
-    /// [`DeclarationError`] where a method is declared, and beside it what is not the method's.
+    /// [`DeclarationError`] where a method is declared, and beside it what is not the method's; where it answers
+    /// nothing, or the optical depth of a wall.
     pub fn check(&self) -> Result<(), DeclarationError> {
+        if self.answers.is_empty() {
+            return Err(DeclarationError::NoAnswers);
+        }
+        if self.far_wall && self.background {
+            return Err(DeclarationError::BackgroundOfWall);
+        }
+        if self.far_wall && self.has(Quantity::OpticalDepth) {
+            return Err(DeclarationError::DepthOfWall);
+        }
         let Some(method) = self.method else {
             return Ok(());
         };
@@ -92,6 +126,16 @@ impl Declaration {
         }
     }
 
+    /// The order that it claims on smooth cases: as it says, or as its method has it.
+    #[must_use]
+    pub fn claimed_order(&self) -> Option<f64> {
+        let of_method = || match self.method?.order() {
+            Expected::Order(own) | Expected::Blind { general: own, .. } => Some(own),
+            Expected::Exact | Expected::Unknown => None,
+        };
+        self.order.or_else(of_method)
+    }
+
     /// Where it claims to sample: as it says, or as its method does.
     #[must_use]
     pub fn claimed_sampling(&self) -> Option<Sampling> {
@@ -103,9 +147,24 @@ impl Declaration {
     }
 }
 
-/// What a kernel declares, and what its method rules out.
+/// What a kernel declares, and cannot be.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
 pub enum DeclarationError {
+    /// Nothing is answered.
+    #[error(
+        "it declares no answers (allowed: one or more of radiance, opacity, optical_depth, expected_depth)"
+    )]
+    NoAnswers,
+    /// A background behind a wall.
+    #[error(
+        "it declares a far wall and a background, which is not seen behind it (allowed: one of the two)"
+    )]
+    BackgroundOfWall,
+    /// The optical depth of a ray that ends at a wall.
+    #[error(
+        "it declares a far wall and the optical depth, which has no end there (allowed: one of the two)"
+    )]
+    DepthOfWall,
     /// Another order than the method's.
     #[error(
         "it declares order {declared} and method '{method}', which has order {own} (allowed: {own}, or one of the two)"

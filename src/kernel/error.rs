@@ -1,6 +1,6 @@
 //! Why no radiance came of a task.
 
-use super::{FormKind, MAX_TASK_SEGMENTS};
+use super::{FormKind, MAX_TASK_SEGMENTS, Quantity};
 use std::time::Duration;
 
 /// A kernel that did not answer, or answered what is no answer.
@@ -92,6 +92,14 @@ pub enum KernelError {
         got: usize,
         /// How many there are.
         wanted: usize,
+    },
+    /// A quantity that was declared is not in the result, or one is that was not.
+    #[error("{} '{}' (allowed: what the greeting declares, and all of it)", if *given { "an undeclared" } else { "no" }, quantity.name())]
+    Answers {
+        /// Which.
+        quantity: Quantity,
+        /// Whether it is there.
+        given: bool,
     },
     /// What it says it used is not possible.
     #[error(

@@ -19,6 +19,11 @@ pub trait Medium: Debug + Sync {
     /// τ(λ), and into `emission` C(λ) of every channel, in their order.
     fn at(&self, lambda: f64, emission: &mut [f64]) -> f64;
 
+    /// What comes from behind the end of the ray, of every channel; nothing where it is empty.
+    fn background(&self) -> &[f64] {
+        &[]
+    }
+
     /// The case of each channel, where the ray is made of cases.
     fn cases(&self) -> &[SymbolicCase] {
         &[]
@@ -40,6 +45,10 @@ impl Medium for Subject {
 
     fn at(&self, lambda: f64, emission: &mut [f64]) -> f64 {
         self.at(lambda, emission)
+    }
+
+    fn background(&self) -> &[f64] {
+        self.background()
     }
 
     fn cases(&self) -> &[SymbolicCase] {

@@ -22,6 +22,7 @@ pub mod library;
 mod made_up;
 mod medium;
 pub mod process;
+mod quantity;
 mod rendering;
 mod subject;
 mod task;
@@ -35,6 +36,7 @@ pub use declaration::{Declaration, DeclarationError, Sampling};
 pub use error::KernelError;
 pub use gridded::Gridded;
 pub use medium::Medium;
+pub use quantity::{DepthWeights, Quantity};
 pub use rendering::Rendering;
 pub use subject::{Subject, SubjectError};
 pub use task::{Data, FormKind, Formula, Samples, Segments, Table, Task, Volume};
@@ -46,7 +48,7 @@ pub trait Kernel: Debug + Send {
     /// What it says of itself.
     fn declaration(&self) -> &Declaration;
 
-    /// The radiance of every channel of the task.
+    /// What it answers of the task: the radiance of every channel, if its declaration says no other.
     ///
     /// # Errors
     /// [`KernelError`] where no radiance comes of it. A kernel that fails may be asked again: one outside the

@@ -20,6 +20,7 @@ pub struct Subject {
     channels: Vec<String>,
     cases: Vec<SymbolicCase>,
     length: Rational,
+    background: Vec<f64>,
 }
 
 /// Channels that make no case together.
@@ -28,6 +29,14 @@ pub enum SubjectError {
     /// Not a single one.
     #[error("no channel (allowed: at least one)")]
     Empty,
+    /// A background of other channels.
+    #[error("a background of {got} channels (allowed: {wanted}, those of the case)")]
+    Background {
+        /// How many came.
+        got: usize,
+        /// How many there are.
+        wanted: usize,
+    },
     /// Another ray, field or extinction than the first channel's.
     #[error(
         "channel '{channel}' has another ray than the first (allowed: the same length, field and extinction)"
@@ -68,7 +77,26 @@ impl Subject {
             channels,
             cases,
             length,
+            background: Vec::new(),
         })
+    }
+
+    /// The same ray before a background, a radiance at λ = D of every channel.
+    ///
+    /// # Errors
+    /// [`SubjectError::Background`] where it has other channels.
+    pub fn before(self, background: Vec<f64>) -> Result<Self, SubjectError> {
+        let (got, wanted) = (background.len(), self.channels.len());
+        if got != wanted {
+            return Err(SubjectError::Background { got, wanted });
+        }
+        Ok(Subject { background, ..self })
+    }
+
+    /// What comes from behind the end of the ray, of every channel; empty where that is nothing.
+    #[must_use]
+    pub fn background(&self) -> &[f64] {
+        &self.background
     }
 
     /// Its name.

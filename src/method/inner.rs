@@ -6,9 +6,11 @@ mod segments;
 
 pub use pairs::Filling;
 
+use super::Expected;
 use super::breaks::{Allowed, Meeting};
 use super::error::{MethodError, require_multiple};
-use crate::case::{Nodes, Number};
+use super::limit::{Limit, Part, euler_maclaurin};
+use crate::case::{Nodes, Number, Structure};
 use crate::quadrature::{Rule, Sampling};
 use crate::real::{Format, Real, row};
 use rug::Rational;
@@ -158,6 +160,28 @@ impl Inner {
             Some(d) if d <= degree => None,
             _ => Some(order),
         }
+    }
+
+    /// The order of the optical depth of a whole ray, breaks lying off the nodes. What it integrates is τ, and not C τ e^(−t):
+    /// the structure is that of the case with C = e^t, where both are the same.
+    #[must_use]
+    pub fn expected(self, structure: &Structure) -> Expected {
+        let Some(order) = self.order(structure.extinction_degree()) else {
+            return Expected::Exact;
+        };
+        let mut limits = match self {
+            Inner::PerSegment(rule) => euler_maclaurin(Part::InnerRule, rule, structure),
+            Inner::SimpsonPairs(_) | Inner::MonteCarlo { .. } => {
+                vec![Limit::new(Part::InnerRule, order)]
+            }
+        };
+        limits.extend(structure.breaks.iter().filter_map(|place| {
+            let power = place.extinction.as_ref()?;
+            let meeting = Meeting::of(place, power, None);
+            self.allowed_by(&meeting, false)
+                .limit(Part::ExtinctionBreak)
+        }));
+        Expected::from_limits(&limits)
     }
 }
 

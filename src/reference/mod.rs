@@ -96,8 +96,13 @@ impl Reference {
     /// estimate.
     #[must_use]
     pub fn unproved(&self, case: &SymbolicCase) -> Vec<Unproved> {
+        self.unproved_of("I(D)", case)
+    }
+
+    /// The same of a value by another name.
+    pub(crate) fn unproved_of(&self, name: &str, case: &SymbolicCase) -> Vec<Unproved> {
         let estimate = self.not_enclosed.iter().map(|reason| Unproved {
-            claim: "I(D)".into(),
+            claim: name.into(),
             reason: format!("an estimate: {reason}"),
         });
         case.unproved().iter().cloned().chain(estimate).collect()

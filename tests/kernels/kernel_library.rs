@@ -9,8 +9,8 @@ use tempfile::TempDir;
 use volver::case::{catalogue, manufacture::manufacture};
 use volver::kernel::library::LibraryKernel;
 use volver::kernel::{
-    BuiltIn, Cut, Data, Declaration, FormKind, Kernel, KernelError, Rendering, Sampling, Segments,
-    Subject, Task,
+    BuiltIn, Cut, Data, Declaration, DepthWeights, FormKind, Kernel, KernelError, Quantity,
+    Rendering, Sampling, Segments, Subject, Task,
 };
 use volver::method::Method;
 use volver::real::FormatName;
@@ -194,8 +194,55 @@ fn everything_declared_arrives() {
         far_wall: true,
         step_divides: true,
         multiple_of: NonZeroU64::new(2).unwrap(),
+        ..Declaration::new("mine µ")
     };
     assert_eq!(*kernel.unwrap().declaration(), expected);
+}
+
+/// What version 2 of the protocol has, by members at the end of the structs.
+#[test]
+fn a_library_answers_what_it_declares() {
+    let declares = "void volver_declare(volver_declaration *d) {\n\
+        d->answers = VOLVER_OPACITY | VOLVER_OPTICAL_DEPTH | VOLVER_EXPECTED_DEPTH; d->by_opacity = 1; }\n";
+    let answers = "int volver_render(const volver_task *t, volver_result *r) {\n\
+        if (t->background) return 1;\n\
+        if (!isnan(r->optical_depth) || !isnan(r->expected_depth)) return 2;\n\
+        r->optical_depth = 2; r->expected_depth = 0.75; return 0; }\n";
+    let Some(kernel) = open(&format!("{declares}{answers}")) else {
+        return;
+    };
+    let mut kernel = kernel.unwrap();
+    let declared = kernel.declaration();
+    assert_eq!(
+        declared.answers,
+        [
+            Quantity::Opacity,
+            Quantity::OpticalDepth,
+            Quantity::ExpectedDepth
+        ]
+    );
+    assert_eq!(declared.expected_depth, DepthWeights::ByOpacity);
+    let rendering = answer(&mut kernel, "rgb-transfer").unwrap();
+    assert!(rendering.radiance.is_empty());
+    // It says that there is one, and that it is no number.
+    assert!(rendering.opacity.unwrap().is_nan());
+    assert_eq!(rendering.optical_depth.unwrap(), 2.0);
+    assert_eq!(rendering.expected_depth.unwrap(), 0.75);
+    let takes = "void volver_declare(volver_declaration *d) { d->background = 1; }\n\
+        int volver_render(const volver_task *t, volver_result *r) {\n\
+        for (int c = 0; c < 3; c++) { r->radiance[c] = t->background[c]; }\n\
+        return 0; }\n";
+    let mut kernel = open(takes).expect("a compiler").unwrap();
+    // Nothing is behind this task.
+    let rendering = answer(&mut kernel, "rgb-transfer").unwrap();
+    assert_eq!(numbers(&rendering), [0.0, 0.0, 0.0]);
+    let unknown = "void volver_declare(volver_declaration *d) { d->answers = 16; }\n";
+    let refused = open(&format!("{unknown}{ANSWERS_NOTHING}")).expect("a compiler");
+    let said = refused.unwrap_err().to_string();
+    assert!(
+        said.contains("it declares answers 0x10 (allowed: 0x1 to 0xf"),
+        "{said}"
+    );
 }
 
 /// The library sees all that a task has, and volver all that it writes.
@@ -224,6 +271,7 @@ fn segments_arrive_and_the_answer_comes_back() {
         step: Some(2.0),
         segments: Some(9),
         standard_error: Some(vec![0.5; 3]),
+        ..Rendering::default()
     };
     assert_eq!(rendering, expected);
 }

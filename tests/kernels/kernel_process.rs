@@ -99,7 +99,7 @@ fn a_start_that_fails_shows_how_and_the_last_lines() {
     assert!(said.starts_with("half a line in the answer '{"), "{said}");
     for (mode, words) in [
         ("unknown-key", "unknown key 'metod' (allowed: 'type', "),
-        ("version-2", "protocol 2 (allowed: 1)"),
+        ("version-3", "protocol 3 (allowed: 1, 2)"),
         ("no-name", "missing key 'name'"),
         (
             "function",

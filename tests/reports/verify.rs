@@ -4,7 +4,7 @@ use volver::case::catalogue;
 use volver::case::manufacture::manufacture;
 use volver::convergence::{ErrorPart, Ladder, OrderInterval};
 use volver::document::{About, Block, Document, Medium, Tone};
-use volver::kernel::{Closure, Declaration, FormKind, KernelError, Segments, Subject};
+use volver::kernel::{Closure, Declaration, FormKind, KernelError, Quantity, Segments, Subject};
 use volver::render::{markdown, terminal};
 use volver::report::verify::{document, heading, json, junit, row, scattered_heading};
 use volver::study::Silent;
@@ -77,7 +77,7 @@ fn rows_are_set_in_columns_before_all_are_known() {
     let head: Vec<char> = heading(80, false).trim_end().chars().collect();
     let place = |word: &str| heading(80, false).find(word).unwrap();
     for line in &all.lines {
-        let row = row(line, 80, false);
+        let row = row(line, Quantity::Radiance, 80, false);
         assert_eq!(row.lines().count(), 1, "{row}");
         let row: Vec<char> = row.trim_end().chars().collect();
         assert!(row.len() <= 80);
@@ -92,20 +92,20 @@ fn rows_are_set_in_columns_before_all_are_known() {
         assert_eq!(name.trim_end(), line.name);
     }
     // Colours are no columns.
-    let painted = row(&all.lines[0], 80, true);
+    let painted = row(&all.lines[0], Quantity::Radiance, 80, true);
     assert!(
         painted.starts_with("\u{1b}[32m✓\u{1b}[0m cloud "),
         "{painted}"
     );
     assert!(painted.contains("\u{1b}[32mConfirmed\u{1b}[0m"));
     let plain = painted.replace("\u{1b}[32m", "").replace("\u{1b}[0m", "");
-    assert_eq!(plain, row(&all.lines[0], 80, false));
+    assert_eq!(plain, row(&all.lines[0], Quantity::Radiance, 80, false));
     // Where they do not fit, columns go to further lines and nothing is lost.
-    let narrow = row(&all.lines[0], 60, false);
+    let narrow = row(&all.lines[0], Quantity::Radiance, 60, false);
     assert!(narrow.lines().count() == 2 && narrow.lines().all(|line| line.chars().count() <= 60));
     assert_eq!(
         unwrapped(&narrow),
-        unwrapped(&row(&all.lines[0], 80, false))
+        unwrapped(&row(&all.lines[0], Quantity::Radiance, 80, false))
     );
 }
 
@@ -113,7 +113,7 @@ fn rows_are_set_in_columns_before_all_are_known() {
 fn bars_are_of_all_levels_as_far_as_there_is_room_and_of_the_finest() {
     let bars = |ladder: &str| -> Vec<char> {
         let all = verification(&["sine-squared"], ladder, false);
-        let text = row(&all.lines[0], 80, false);
+        let text = row(&all.lines[0], Quantity::Radiance, 80, false);
         let is_bar = |c: &char| ('▁'..='█').contains(c);
         text.chars().filter(is_bar).collect()
     };
@@ -145,7 +145,7 @@ fn what_failed_stands_below_its_row() {
         failure(128, "exited with code 5"),
     ];
     line.steady = false;
-    let text = row(line, 80, false);
+    let text = row(line, Quantity::Radiance, 80, false);
     assert!(text.starts_with("! cloud "), "{text}");
     assert!(text.lines().next().unwrap().ends_with(" failed"), "{text}");
     assert!(text.contains("\n    n = 8, 16: the kernel was killed by signal 11\n"));
@@ -159,7 +159,7 @@ fn what_failed_stands_below_its_row() {
         text.lines().all(|line| line.chars().count() <= 80),
         "{text}"
     );
-    assert!(row(line, 80, true).contains("\u{1b}[33m    n = 8, 16: "));
+    assert!(row(line, Quantity::Radiance, 80, true).contains("\u{1b}[33m    n = 8, 16: "));
     // In writing there is room for all.
     let text = written(&all);
     for words in [
@@ -383,7 +383,7 @@ fn scattered() -> Verification {
 fn a_kernel_that_draws_has_two_orders_the_larger_error_first() {
     let mut all = scattered();
     let heading = scattered_heading(80, false);
-    let shown = row(&all.lines[0], 80, false);
+    let shown = row(&all.lines[0], Quantity::Radiance, 80, false);
     let columns = |text: &str| -> Vec<String> {
         let text: Vec<char> = text.chars().collect();
         // Where the heading begins a column.
@@ -410,7 +410,7 @@ fn a_kernel_that_draws_has_two_orders_the_larger_error_first() {
     fit.larger = ErrorPart::Bias;
     fit.deviation = Some(interval(1.5, 1.4, 1.6));
     fit.bias = Some(interval(0.2, f64::NEG_INFINITY, 0.875));
-    let shown = row(&all.lines[0], 80, false);
+    let shown = row(&all.lines[0], Quantity::Radiance, 80, false);
     assert!(columns(&shown)[0].starts_with("b <0.9 "), "{shown}");
     assert!(columns(&shown)[1].starts_with("s 1.50±0.10 "), "{shown}");
     // Markdown escapes what HTML would take for a tag.

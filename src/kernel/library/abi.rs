@@ -52,6 +52,9 @@ struct RawDeclaration {
     far_wall: i32,
     step_divides: i32,
     multiple_of: u64,
+    answers: u32,
+    by_opacity: i32,
+    background: i32,
 }
 
 /// `volver_medium`.
@@ -82,6 +85,7 @@ struct RawTask {
     medium: RawMedium,
     edges: RawSamples,
     middles: RawSamples,
+    background: *const f64,
 }
 
 /// `volver_result`.
@@ -94,6 +98,8 @@ struct RawResult {
     step: f64,
     segments: u64,
     message: [c_char; 256],
+    optical_depth: f64,
+    expected_depth: f64,
 }
 
 /// The functions of a library.
@@ -111,6 +117,8 @@ pub(super) struct Answer {
     pub(super) opacity: f64,
     pub(super) step: f64,
     pub(super) segments: u64,
+    pub(super) optical_depth: f64,
+    pub(super) expected_depth: f64,
 }
 
 /// Why there is no answer.
@@ -170,6 +178,9 @@ impl Functions {
             far_wall: 0,
             step_divides: 0,
             multiple_of: 0,
+            answers: 0,
+            by_opacity: 0,
+            background: 0,
         };
         // SAFETY: the struct has the header's layout and lives through the call.
         unsafe { (self.declare)(&raw mut raw) };
@@ -187,12 +198,15 @@ impl Functions {
                 far_wall: raw.far_wall != 0,
                 step_divides: raw.step_divides != 0,
                 multiple_of: raw.multiple_of,
+                answers: raw.answers,
+                by_opacity: raw.by_opacity != 0,
+                background: raw.background != 0,
             })
         }
     }
 
-    /// The library's answer to a task in a form that it takes.
-    pub(super) fn render(&self, task: &Task<'_>) -> Result<Answer, Failure> {
+    /// The library's answer to a task in a form that it takes, with a background where it takes one.
+    pub(super) fn render(&self, task: &Task<'_>, background: bool) -> Result<Answer, Failure> {
         if !fits(task) {
             return Err(Failure::Broken(
                 "it was to be given arrays of other lengths than its task says",
@@ -210,6 +224,8 @@ impl Functions {
             _ => (None, None),
         };
         let (edges, middles) = (Columns::new(edges), Columns::new(middles));
+        let mut behind = task.subject.background().to_vec();
+        behind.resize(channels, 0.0);
         let raw = RawTask {
             size: size_of::<RawTask>(),
             case_name: name.as_ptr(),
@@ -224,6 +240,11 @@ impl Functions {
             },
             edges: edges.raw(),
             middles: middles.raw(),
+            background: if background {
+                behind.as_ptr()
+            } else {
+                ptr::null()
+            },
         };
         let mut radiance = vec![f64::NAN; channels + MARGIN];
         let mut standard_error = vec![f64::NAN; channels + MARGIN];
@@ -235,6 +256,8 @@ impl Functions {
             step: 0.0,
             segments: 0,
             message: [0; 256],
+            optical_depth: f64::NAN,
+            expected_depth: f64::NAN,
         };
         let code = {
             let _turn = turn();
@@ -261,6 +284,8 @@ impl Functions {
             opacity: result.opacity,
             step: result.step,
             segments: result.segments,
+            optical_depth: result.optical_depth,
+            expected_depth: result.expected_depth,
         })
     }
 }

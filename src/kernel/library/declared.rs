@@ -1,11 +1,13 @@
 //! What a library declares, as it says it.
 
-use crate::kernel::{Declaration, FormKind};
+use crate::kernel::{Declaration, DepthWeights, FormKind, Quantity};
 use std::num::NonZeroU64;
 use std::str::FromStr;
 
 /// `volver_declaration`, with its strings.
 #[derive(Debug)]
+// Facts that do not depend on each other.
+#[allow(clippy::struct_excessive_bools)]
 pub(super) struct Declared {
     pub(super) name: Option<String>,
     pub(super) form: Option<String>,
@@ -19,6 +21,10 @@ pub(super) struct Declared {
     pub(super) step_divides: bool,
     /// 0 for any.
     pub(super) multiple_of: u64,
+    /// By bits; 0 for the radiance.
+    pub(super) answers: u32,
+    pub(super) by_opacity: bool,
+    pub(super) background: bool,
 }
 
 impl Declared {
@@ -61,9 +67,32 @@ impl Declared {
             far_wall: self.far_wall,
             step_divides: self.step_divides,
             multiple_of: NonZeroU64::new(self.multiple_of).unwrap_or(NonZeroU64::MIN),
+            background: self.background,
+            answers: answers(self.answers)?,
+            expected_depth: if self.by_opacity {
+                DepthWeights::ByOpacity
+            } else {
+                DepthWeights::Plain
+            },
             ..declaration
         })
     }
+}
+
+/// What the bits of `VOLVER_RADIANCE` and the others name.
+fn answers(bits: u32) -> Result<Vec<Quantity>, String> {
+    if bits == 0 {
+        return Ok(vec![Quantity::Radiance]);
+    }
+    let known = (1 << Quantity::ALL.len()) - 1;
+    if bits > known {
+        return Err(format!(
+            "it declares answers {bits:#x} (allowed: 0x1 to {known:#x}, of VOLVER_RADIANCE and the others)"
+        ));
+    }
+    let all = Quantity::ALL.into_iter().enumerate();
+    let named = all.filter(|(place, _)| bits >> place & 1 == 1);
+    Ok(named.map(|(_, quantity)| quantity).collect())
 }
 
 fn parsed<T: FromStr<Err: ToString>>(text: Option<String>) -> Result<Option<T>, String> {

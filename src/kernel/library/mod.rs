@@ -7,7 +7,7 @@
 mod abi;
 mod declared;
 
-use super::{Data, Declaration, Kernel, KernelError, Rendering, Task};
+use super::{Data, Declaration, Kernel, KernelError, Quantity, Rendering, Task};
 use abi::{Failure, Functions};
 use rug::Float;
 use std::fs;
@@ -65,7 +65,7 @@ impl Kernel for LibraryKernel {
         }
         let answer = self
             .functions
-            .render(task)
+            .render(task, self.declaration.background)
             .map_err(|failure| match failure {
                 Failure::Refused(reason) => KernelError::Refused { reason },
                 Failure::Broken(problem) => KernelError::Library {
@@ -81,9 +81,16 @@ impl Kernel for LibraryKernel {
         }
         let told = |values: &[f64]| values.iter().any(|value| !value.is_nan());
         let float = |value: &f64| Float::with_val(f64::MANTISSA_DIGITS, *value);
+        let has = |quantity| self.declaration.has(quantity);
+        let radiance = answer.radiance.iter().filter(|_| has(Quantity::Radiance));
+        // What is declared is an answer where it is no number, too.
+        let is_told = |opacity: &&f64| !opacity.is_nan() || has(Quantity::Opacity);
+        let of = |quantity, value: &f64| has(quantity).then(|| float(value));
         Ok(Rendering {
-            radiance: answer.radiance.iter().map(float).collect(),
-            opacity: Some(&answer.opacity).filter(|o| !o.is_nan()).map(float),
+            radiance: radiance.map(float).collect(),
+            opacity: Some(&answer.opacity).filter(is_told).map(float),
+            optical_depth: of(Quantity::OpticalDepth, &answer.optical_depth),
+            expected_depth: of(Quantity::ExpectedDepth, &answer.expected_depth),
             step: Some(answer.step).filter(|step| *step > 0.0),
             segments: Some(answer.segments).filter(|segments| *segments > 0),
             standard_error: Some(answer.standard_error).filter(|errors| told(errors)),

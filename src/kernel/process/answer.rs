@@ -1,21 +1,28 @@
 //! From a line to renderings.
 
+use super::VERSION;
 use super::bare::quoted;
-use super::message::{Outcome, Radiance};
+use super::greeting::Greeting;
+use super::message::{Answer, AnswerTag, Outcome};
 use super::number::Number;
 use super::trouble::{Trouble, said};
-use crate::kernel::{KernelError, Rendering, Task};
+use crate::kernel::{KernelError, Quantity, Rendering, Task};
 use serde_json::error::Category;
 
 /// One result a task.
 type Results = Vec<Result<Rendering, KernelError>>;
 
-/// The results of the tasks, whose request has that id; radiances have at least that many bits.
+/// The results of the tasks, whose request has that id, of a kernel that greeted so.
 ///
 /// # Errors
 /// [`Trouble`] where the line is no answer to that request.
-pub fn read(line: &[u8], id: u64, tasks: &[&Task<'_>], bits: u32) -> Result<Results, Trouble> {
-    let answer: Radiance = serde_json::from_slice(line)
+pub fn read(
+    line: &[u8],
+    id: u64,
+    tasks: &[&Task<'_>],
+    greeting: &Greeting,
+) -> Result<Results, Trouble> {
+    let answer: Answer = serde_json::from_slice(line)
         .or_else(|error| match quoted(line) {
             Some(line) => serde_json::from_slice(&line),
             None => Err(error),
@@ -27,6 +34,17 @@ pub fn read(line: &[u8], id: u64, tasks: &[&Task<'_>], bits: u32) -> Result<Resu
             };
             Trouble::garbage(problem, line)
         })?;
+    let (tag, name) = match greeting.version {
+        VERSION => (AnswerTag::Radiance, "radiance"),
+        _ => (AnswerTag::Answer, "answer"),
+    };
+    if answer.tag != tag {
+        let problem = format!(
+            "another type of answer (allowed in protocol {}: '{name}')",
+            greeting.version
+        );
+        return Err(Trouble::garbage(problem, line));
+    }
     if answer.id.as_u64() != Some(id) {
         return Err(Trouble::WrongId {
             got: answer.id.to_string(),
@@ -42,7 +60,8 @@ pub fn read(line: &[u8], id: u64, tasks: &[&Task<'_>], bits: u32) -> Result<Resu
     results
         .map(|(outcome, task)| {
             let channels = task.subject.channels().len();
-            rendering(outcome, channels, bits).map_err(|problem| Trouble::garbage(problem, line))
+            rendering(outcome, channels, greeting)
+                .map_err(|problem| Trouble::garbage(problem, line))
         })
         .collect()
 }
@@ -51,17 +70,44 @@ pub fn read(line: &[u8], id: u64, tasks: &[&Task<'_>], bits: u32) -> Result<Resu
 fn rendering(
     outcome: Outcome,
     channels: usize,
-    bits: u32,
+    greeting: &Greeting,
 ) -> Result<Result<Rendering, KernelError>, &'static str> {
-    let radiance = match (outcome.radiance, outcome.error) {
-        (Some(radiance), None) => radiance,
-        (None, Some(reason)) => return Ok(Err(KernelError::Refused { reason })),
-        (None, None) => return Err("a result without 'radiance' and 'error'"),
-        (Some(_), Some(_)) => return Err("a result with 'radiance' and 'error'"),
+    let there = [
+        (Quantity::Radiance, outcome.radiance.is_some()),
+        (Quantity::Opacity, outcome.opacity.is_some()),
+        (Quantity::OpticalDepth, outcome.optical_depth.is_some()),
+        (Quantity::ExpectedDepth, outcome.expected_depth.is_some()),
+    ];
+    let is_first = greeting.version == VERSION;
+    if is_first && (outcome.optical_depth.is_some() || outcome.expected_depth.is_some()) {
+        return Err("a result with a depth (allowed: in protocol 2)");
+    }
+    let is_answered = if is_first {
+        outcome.radiance.is_some()
+    } else {
+        there.iter().any(|(_, there)| *there)
     };
+    match (is_answered, outcome.error) {
+        (true, None) => {}
+        (false, Some(reason)) => return Ok(Err(KernelError::Refused { reason })),
+        (false, None) if is_first => return Err("a result without 'radiance' and 'error'"),
+        (true, Some(_)) if is_first => return Err("a result with 'radiance' and 'error'"),
+        (false, None) => return Err("a result without an answer and 'error'"),
+        (true, Some(_)) => return Err("a result with an answer and 'error'"),
+    }
+    let declaration = &greeting.declaration;
+    // No fewer than binary64 has.
+    let bits = declaration.format.bits().max(f64::MANTISSA_DIGITS);
     let checked = || {
+        for (quantity, given) in there {
+            // The first version has an opacity without a word before.
+            let may_be = is_first && quantity == Quantity::Opacity;
+            if given != declaration.has(quantity) && !may_be {
+                return Err(KernelError::Answers { quantity, given });
+            }
+        }
         let wanted = channels;
-        let got = radiance.len();
+        let got = outcome.radiance.as_ref().map_or(wanted, Vec::len);
         if got != wanted {
             return Err(KernelError::Channels { got, wanted });
         }
@@ -69,9 +115,13 @@ fn rendering(
         if got != wanted {
             return Err(KernelError::StandardErrors { got, wanted });
         }
+        let float = |number: Number| number.to_float(bits);
+        let radiance = outcome.radiance.unwrap_or_default();
         Ok(Rendering {
-            radiance: radiance.iter().map(|x| x.to_float(bits)).collect(),
-            opacity: outcome.opacity.map(|x| x.to_float(bits)),
+            radiance: radiance.into_iter().map(float).collect(),
+            opacity: outcome.opacity.map(float),
+            optical_depth: outcome.optical_depth.map(float),
+            expected_depth: outcome.expected_depth.map(float),
             step: outcome.step.as_ref().map(used_step).transpose()?,
             segments: outcome.segments.as_ref().map(used_segments).transpose()?,
             standard_error: outcome

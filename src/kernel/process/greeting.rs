@@ -1,11 +1,13 @@
 //! What a kernel says of itself, and how it wants to be talked to.
 
-use super::VERSION;
-use super::message::{Arrays, Form, HelloTag, KernelHello, VolverHello, WireLanguage, WireStep};
+use super::message::{
+    Arrays, Form, HelloTag, KernelHello, VolverHello, WireLanguage, WireQuantity, WireStep,
+};
 use super::number::Number;
 use super::trouble::{Trouble, said};
 use super::written::Numbers;
-use crate::kernel::{Declaration, FormKind};
+use super::{SECOND, VERSION, VERSIONS};
+use crate::kernel::{Declaration, DepthWeights, FormKind, Quantity};
 use crate::real::FormatName;
 use crate::symbolic::code::Language;
 use serde_json::Value;
@@ -19,6 +21,8 @@ const MAX_NAME: usize = 100;
 /// A greeting that makes sense.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Greeting {
+    /// The version of the protocol that it keeps to.
+    pub version: u64,
     /// What it declares.
     pub declaration: Declaration,
     /// How it wants its numbers.
@@ -31,6 +35,7 @@ pub(super) fn hello() -> VolverHello {
     VolverHello {
         tag: HelloTag::Hello,
         protocol: VERSION,
+        protocols: VERSIONS,
         program: concat!("volver ", env!("CARGO_PKG_VERSION")),
     }
 }
@@ -45,18 +50,35 @@ pub fn read(line: &[u8]) -> Result<Greeting, Trouble> {
         Ok(_) | Err(_) => return Err(Trouble::garbage("no JSON object", line)),
     };
     // Another version may well have other keys: that is said first.
-    match value.get("protocol") {
-        Some(version) if version.as_u64() != Some(VERSION) => {
-            Err(format!("protocol {version} (allowed: {VERSION})"))
+    let version = value.get("protocol");
+    let known = version.and_then(Value::as_u64);
+    match (version, known.filter(|known| VERSIONS.contains(known))) {
+        (Some(version), None) => {
+            let allowed = VERSIONS.map(|version| version.to_string()).join(", ");
+            Err(format!("protocol {version} (allowed: {allowed})"))
         }
-        _ => serde_json::from_value(value)
+        // Without one it is refused as any other key that is needed.
+        (_, known) => serde_json::from_value(value)
             .map_err(|error| said(&error))
-            .and_then(greeting),
+            .and_then(|hello| greeting(known.unwrap_or(VERSION), hello)),
     }
     .map_err(|problem| Trouble::Greeting { problem })
 }
 
-fn greeting(hello: KernelHello) -> Result<Greeting, String> {
+fn greeting(version: u64, hello: KernelHello) -> Result<Greeting, String> {
+    if hello.background.is_some() && version < SECOND {
+        return Err(of_second("background", version));
+    }
+    let answers = answers(version, hello.answers)?;
+    let expected_depth = match hello.expected_depth {
+        None => DepthWeights::default(),
+        Some(weights) if answers.contains(&Quantity::ExpectedDepth) => weights.into(),
+        Some(_) => {
+            return Err(
+                "expected_depth without need (allowed: where it is among the answers)".into(),
+            );
+        }
+    };
     let name = hello.name;
     if !(1..=MAX_NAME).contains(&name.chars().count()) || name.chars().any(char::is_control) {
         return Err(format!(
@@ -101,12 +123,40 @@ fn greeting(hello: KernelHello) -> Result<Greeting, String> {
                 .ok_or("segments: multiples of 0 (allowed: of 1 or more)")?,
         },
         far_wall: hello.far_wall,
+        background: hello.background.unwrap_or(false),
+        answers,
+        expected_depth,
     };
     Ok(Greeting {
+        version,
         declaration,
         numbers: hello.numbers,
         arrays: hello.arrays,
     })
+}
+
+/// A key that the first version has not.
+fn of_second(key: &str, version: u64) -> String {
+    format!("{key} in protocol {version} (allowed: in protocol {SECOND})")
+}
+
+/// What it answers, in volver's order.
+fn answers(version: u64, declared: Option<Vec<WireQuantity>>) -> Result<Vec<Quantity>, String> {
+    let Some(declared) = declared else {
+        return Ok(vec![Quantity::Radiance]);
+    };
+    if version < SECOND {
+        return Err(of_second("answers", version));
+    }
+    let mut answers: Vec<Quantity> = declared.into_iter().map(Into::into).collect();
+    let count = answers.len();
+    answers.sort_unstable();
+    answers.dedup();
+    match answers.len() {
+        0 => Err("no answers (allowed: one or more)".into()),
+        different if different < count => Err("the same answer twice (allowed: each once)".into()),
+        _ => Ok(answers),
+    }
 }
 
 fn named<T: FromStr<Err: Display>>(key: &str, name: &str) -> Result<T, String> {
@@ -130,6 +180,7 @@ impl Greeting {
     pub fn changes(&self, other: &Greeting) -> Vec<&'static str> {
         let (a, b) = (&self.declaration, &other.declaration);
         [
+            ("protocol", self.version == other.version),
             ("name", a.name == b.name),
             ("form", a.form == b.form),
             ("method", a.method == b.method),
@@ -141,6 +192,9 @@ impl Greeting {
             ("step", a.step_divides == b.step_divides),
             ("segments", a.multiple_of == b.multiple_of),
             ("far_wall", a.far_wall == b.far_wall),
+            ("background", a.background == b.background),
+            ("answers", a.answers == b.answers),
+            ("expected_depth", a.expected_depth == b.expected_depth),
             ("numbers", self.numbers == other.numbers),
             ("arrays", self.arrays == other.arrays),
         ]

@@ -2,7 +2,7 @@
 
 use super::number::Number;
 use super::written::{Array, Numbers, Written};
-use crate::kernel::Sampling;
+use crate::kernel::{DepthWeights, Quantity, Sampling};
 #[cfg(feature = "studies")]
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
@@ -25,11 +25,14 @@ pub(super) enum RenderTag {
 }
 
 /// What an answer says that it is.
-#[derive(Clone, Copy, Debug, Deserialize)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Deserialize)]
 #[cfg_attr(feature = "studies", derive(JsonSchema), schemars(inline))]
 #[serde(rename_all = "lowercase")]
-pub(super) enum RadianceTag {
+pub(super) enum AnswerTag {
+    /// Of version 1.
     Radiance,
+    /// Of version 2.
+    Answer,
 }
 
 /// The first message of all, from volver.
@@ -41,6 +44,8 @@ pub(super) struct VolverHello {
     /// The version of the protocol.
     #[cfg_attr(feature = "studies", schemars(extend("const" = super::VERSION)))]
     pub(super) protocol: u64,
+    /// The versions that a kernel may answer with.
+    pub(super) protocols: [u64; 2],
     /// Who asks, for logs.
     pub(super) program: &'static str,
 }
@@ -53,8 +58,8 @@ pub(super) struct KernelHello {
     #[serde(rename = "type")]
     #[expect(dead_code, reason = "there is no other value")]
     tag: HelloTag,
-    /// The version of the protocol.
-    #[cfg_attr(feature = "studies", schemars(extend("const" = super::VERSION)))]
+    /// The version of the protocol that it keeps to.
+    #[cfg_attr(feature = "studies", schemars(extend("enum" = super::VERSIONS)))]
     #[expect(dead_code, reason = "checked before the other keys are looked at")]
     protocol: u64,
     /// Its name, for reports.
@@ -84,6 +89,13 @@ pub(super) struct KernelHello {
     /// It takes the last segment to be opaque: a wall of the last sample's emission stands at the end of the ray.
     #[serde(default)]
     pub(super) far_wall: bool,
+    /// It takes a background, and is given one with every task. Of version 2.
+    pub(super) background: Option<bool>,
+    /// What it answers of every ray, at least one; the radiance unless given. Of version 2.
+    #[cfg_attr(feature = "studies", schemars(length(min = 1)))]
+    pub(super) answers: Option<Vec<WireQuantity>>,
+    /// What its expected depth is divided by, where that is among the answers: by nothing unless given. Of version 2.
+    pub(super) expected_depth: Option<WireDepthWeights>,
     /// How volver is to write numbers.
     #[serde(default)]
     pub(super) numbers: Numbers,
@@ -142,6 +154,26 @@ pub(super) enum WireStep {
     Divides,
 }
 
+/// What a kernel may answer of a ray.
+#[derive(Clone, Copy, Debug, Deserialize)]
+#[cfg_attr(feature = "studies", derive(JsonSchema), schemars(inline))]
+#[serde(rename_all = "snake_case")]
+pub(super) enum WireQuantity {
+    Radiance,
+    Opacity,
+    OpticalDepth,
+    ExpectedDepth,
+}
+
+/// What an expected depth is divided by.
+#[derive(Clone, Copy, Debug, Deserialize)]
+#[cfg_attr(feature = "studies", derive(JsonSchema), schemars(inline))]
+#[serde(rename_all = "kebab-case")]
+pub(super) enum WireDepthWeights {
+    Plain,
+    ByOpacity,
+}
+
 /// Where arrays stand.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Deserialize)]
 #[cfg_attr(feature = "studies", derive(JsonSchema), schemars(inline))]
@@ -150,6 +182,26 @@ pub(super) enum Arrays {
     #[default]
     Json,
     Npy,
+}
+
+impl From<WireQuantity> for Quantity {
+    fn from(quantity: WireQuantity) -> Self {
+        match quantity {
+            WireQuantity::Radiance => Quantity::Radiance,
+            WireQuantity::Opacity => Quantity::Opacity,
+            WireQuantity::OpticalDepth => Quantity::OpticalDepth,
+            WireQuantity::ExpectedDepth => Quantity::ExpectedDepth,
+        }
+    }
+}
+
+impl From<WireDepthWeights> for DepthWeights {
+    fn from(weights: WireDepthWeights) -> Self {
+        match weights {
+            WireDepthWeights::Plain => DepthWeights::Plain,
+            WireDepthWeights::ByOpacity => DepthWeights::ByOpacity,
+        }
+    }
 }
 
 impl From<WireSampling> for Sampling {
@@ -192,6 +244,9 @@ pub(super) struct WireTask<'a> {
     pub(super) segments: u64,
     /// For kernels that draw random numbers: the same seed, the same answer.
     pub(super) seed: u64,
+    /// What comes from behind the end of the ray, a radiance of every channel; for kernels that take one. Of version 2.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub(super) background: Option<Vec<Written>>,
     /// The ray, in the form that the kernel asked for.
     pub(super) data: WireData<'a>,
 }
@@ -254,10 +309,9 @@ pub(super) struct WireTable<'a> {
 #[derive(Debug, Deserialize)]
 #[cfg_attr(feature = "studies", derive(JsonSchema))]
 #[serde(deny_unknown_fields)]
-pub(super) struct Radiance {
+pub(super) struct Answer {
     #[serde(rename = "type")]
-    #[expect(dead_code, reason = "there is no other value")]
-    tag: RadianceTag,
+    pub(super) tag: AnswerTag,
     /// That of the request.
     #[cfg_attr(feature = "studies", schemars(with = "u64"))]
     pub(super) id: Value,
@@ -265,21 +319,28 @@ pub(super) struct Radiance {
     pub(super) results: Vec<Outcome>,
 }
 
-/// What came of a task: `radiance`, or `error` alone.
+/// What came of a task: what is answered of it, or `error` alone.
 #[derive(Debug, Deserialize)]
-#[cfg_attr(feature = "studies", derive(JsonSchema), schemars(extend("oneOf" = [{ "required": ["radiance"] }, { "required": ["error"] }])))]
+#[cfg_attr(feature = "studies", derive(JsonSchema), schemars(extend("oneOf" = [
+    { "anyOf": [{ "required": ["radiance"] }, { "required": ["opacity"] }, { "required": ["optical_depth"] }, { "required": ["expected_depth"] }] },
+    { "required": ["error"] },
+])))]
 #[serde(deny_unknown_fields)]
 pub(super) struct Outcome {
     /// Of every channel, in the task's order.
     pub(super) radiance: Option<Vec<Number>>,
     /// 1 − T of the whole ray.
     pub(super) opacity: Option<Number>,
+    /// The integral of τ over the whole ray. Of version 2.
+    pub(super) optical_depth: Option<Number>,
+    /// The mean of λ with the weights of the samples, divided as the greeting says. Of version 2.
+    pub(super) expected_depth: Option<Number>,
     /// The step d really used, where it is not the one asked for; above 0.
     pub(super) step: Option<Number>,
     /// The number of segments really used, where it is not the one asked for; above 0.
     pub(super) segments: Option<Number>,
     /// Of every channel's radiance, where the kernel estimates it.
     pub(super) standard_error: Option<Vec<Number>>,
-    /// Why there is no radiance, in the kernel's own words.
+    /// Why there is no answer, in the kernel's own words.
     pub(super) error: Option<String>,
 }

@@ -43,8 +43,15 @@ use request::Writer;
 use std::io;
 use std::time::Instant;
 
-/// The version of the protocol.
+/// The first version of the protocol, which volver's greeting is of: a kernel answers it with the version that it keeps
+/// to, which is the first or any other of [`VERSIONS`].
 const VERSION: u64 = 1;
+
+/// The versions of the protocol that a kernel may keep to.
+const VERSIONS: [u64; 2] = [VERSION, SECOND];
+
+/// The version that has other answers than the radiance.
+const SECOND: u64 = 2;
 
 /// A program that talks the protocol.
 #[derive(Debug)]
@@ -149,6 +156,7 @@ impl ProcessKernel {
         self.last_id += 1;
         let mut writer = Writer {
             numbers: self.greeting.numbers,
+            background: self.greeting.declaration.background,
             files: self.files.as_mut(),
         };
         let line = writer.line(self.last_id, tasks);
@@ -160,16 +168,9 @@ impl ProcessKernel {
         self.keep(&line, tasks)
             .map_err(|error| KernelError::message(&error))?;
         let timeout = self.options.timeout;
-        // No fewer than binary64 has.
-        let bits = self
-            .greeting
-            .declaration
-            .format
-            .bits()
-            .max(f64::MANTISSA_DIGITS);
         let answer = child
             .exchange(&line, Instant::now().checked_add(timeout))
-            .and_then(|answer| answer::read(&answer, self.last_id, tasks, bits));
+            .and_then(|answer| answer::read(&answer, self.last_id, tasks, &self.greeting));
         match answer {
             Ok(results) => {
                 self.child = Some(child);
@@ -189,6 +190,7 @@ impl ProcessKernel {
         }
         let mut writer = Writer {
             numbers: self.greeting.numbers,
+            background: self.greeting.declaration.background,
             files: None,
         };
         log.keep(Stream::Requests, &writer.line(self.last_id, tasks)?)

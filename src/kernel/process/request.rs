@@ -11,6 +11,8 @@ use std::io;
 #[derive(Debug)]
 pub(super) struct Writer<'f> {
     pub(super) numbers: Numbers,
+    /// Whether tasks have a background.
+    pub(super) background: bool,
     /// Where arrays go that do not go into the message.
     pub(super) files: Option<&'f mut Files>,
 }
@@ -38,8 +40,17 @@ impl Writer<'_> {
             step: self.number(task.step),
             segments: task.segments,
             seed: task.seed,
+            background: self.background.then(|| self.behind(task)),
             data: self.data(task.data)?,
         })
+    }
+
+    /// Black where nothing is behind the ray.
+    fn behind(&self, task: &Task<'_>) -> Vec<Written> {
+        let background = task.subject.background().iter().copied();
+        let black = std::iter::repeat(0.0);
+        let all = background.chain(black).take(task.subject.channels().len());
+        all.map(|value| self.number(value)).collect()
     }
 
     fn data<'a>(&mut self, data: Data<'a>) -> io::Result<WireData<'a>> {

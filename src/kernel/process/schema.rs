@@ -1,6 +1,6 @@
 //! The messages as a JSON Schema.
 
-use super::message::{KernelHello, Radiance, Render, VolverHello};
+use super::message::{Answer, KernelHello, Render, VolverHello};
 use super::number::Number;
 use super::written::{Array, Written};
 use schemars::generate::SchemaSettings;
@@ -16,11 +16,11 @@ pub fn schema() -> Value {
         generator.subschema_for::<VolverHello>(),
         generator.subschema_for::<KernelHello>(),
         generator.subschema_for::<Render<'_>>(),
-        generator.subschema_for::<Radiance>(),
+        generator.subschema_for::<Answer>(),
     ];
     json!({
         "$schema": "https://json-schema.org/draft/2020-12/schema",
-        "title": format!("A message of volver's protocol, version {}", super::VERSION),
+        "title": "A message of volver's protocol, versions 1 and 2",
         "oneOf": messages,
         "$defs": generator.take_definitions(true),
     })

@@ -21,8 +21,14 @@ pub fn greeting() -> Result<String, KernelError> {
 /// [`KernelError::Message`] where a task is a function, which cannot be written.
 pub fn request(id: u64, tasks: &[Task<'_>], numbers: Numbers) -> Result<String, KernelError> {
     let tasks: Vec<&Task<'_>> = tasks.iter().collect();
-    let files = None;
-    let line = Writer { numbers, files }.line(id, &tasks);
+    let mut writer = Writer {
+        numbers,
+        background: tasks
+            .iter()
+            .any(|task| !task.subject.background().is_empty()),
+        files: None,
+    };
+    let line = writer.line(id, &tasks);
     let line = line.map_err(|error| KernelError::message(&error))?;
     Ok(String::from_utf8_lossy(line.trim_ascii_end()).into_owned())
 }

@@ -4,6 +4,7 @@ use super::words::NONE;
 use crate::convergence::Verdict;
 use crate::document::{Block, Finding, Medium, Tone};
 use crate::identify::Deviation;
+use crate::kernel::Quantity;
 use crate::report::identify::words::{kinds, number, sentence};
 use crate::study::verify::{
     Acceptance, Accepted, Conclusion, Identified, Line, Measured, Standing, Verification,
@@ -76,7 +77,9 @@ pub(super) fn deviations(verification: &Verification) -> Vec<Block> {
     let accepted = &verification.settings.accept;
     let mut blocks: Vec<Block> = said(identified, accepted).map(Block::Finding).collect();
     if !blocks.is_empty() {
-        blocks.push(Block::Text(effect(&verification.lines)));
+        // What a rule does to opacities stands beside these.
+        let lines: Vec<&Line> = verification.of(Quantity::Radiance).collect();
+        blocks.push(Block::Text(effect(&lines)));
     }
     let all = &identified.examined.deviations;
     let gone = accepted
@@ -147,10 +150,11 @@ pub(super) fn witness(verification: &Verification) -> Vec<Block> {
 }
 
 /// What the orders say of it: one sentence.
-fn effect(lines: &[Line]) -> String {
+fn effect(lines: &[&Line]) -> String {
     let of = |verdict: Verdict| -> Vec<&Line> {
         let contradicted = lines
             .iter()
+            .copied()
             .filter(|line| line.standing == Standing::Contradicted);
         contradicted
             .filter(|line| line.measured.verdict() == verdict)

@@ -3,8 +3,9 @@
 use super::words::theory;
 use crate::case::Unproved;
 use crate::convergence::{Fit, ReportedError, Sample, StochasticFit, serialize_float};
+use crate::kernel::Quantity;
 use crate::report::{ReportError, identify};
-use crate::study::verify::{Axis, Identified, Line, Measured, Verification};
+use crate::study::verify::{self as standing, Axis, Identified, Line, Measured, Verification};
 use rug::Float;
 use serde::Serialize;
 use std::num::NonZeroU64;
@@ -18,6 +19,9 @@ struct Document<'a> {
     ladder: &'a [u64],
     conclusion: &'static str,
     counts: Counts,
+    /// Beside the first that it answers.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    answers: Vec<Answers>,
     #[serde(skip_serializing_if = "Option::is_none")]
     as_declared: Option<Declared>,
     #[serde(skip_serializing_if = "Option::is_none")]
@@ -29,6 +33,8 @@ struct Document<'a> {
 }
 
 #[derive(Serialize)]
+// Facts that do not depend on each other.
+#[allow(clippy::struct_excessive_bools)]
 struct Kernel<'a> {
     name: &'a str,
     form: String,
@@ -41,6 +47,10 @@ struct Kernel<'a> {
     step_divides: bool,
     multiple_of: NonZeroU64,
     far_wall: bool,
+    background: bool,
+    answers: Vec<&'static str>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    expected_depth: Option<&'static str>,
 }
 
 #[derive(Serialize)]
@@ -51,6 +61,14 @@ struct Counts {
     unresolved: usize,
     blind: usize,
     failed: usize,
+}
+
+/// A quantity that is answered beside the first.
+#[derive(Serialize)]
+struct Answers {
+    quantity: &'static str,
+    shown: bool,
+    counts: Counts,
 }
 
 /// In how many channels values are those of the declared method.
@@ -88,6 +106,7 @@ struct Finding<'a> {
 #[derive(Serialize)]
 struct Row<'a> {
     name: &'a str,
+    quantity: &'static str,
     expected: String,
     standing: &'static str,
     verdict: &'static str,
@@ -127,7 +146,6 @@ struct Failure {
 pub fn json(verification: &Verification) -> Result<String, ReportError> {
     let declaration = &verification.declaration;
     let settings = &verification.settings;
-    let counts = verification.counts();
     let document = Document {
         volver: env!("CARGO_PKG_VERSION"),
         kernel: Kernel {
@@ -142,6 +160,11 @@ pub fn json(verification: &Verification) -> Result<String, ReportError> {
             step_divides: declaration.step_divides,
             multiple_of: declaration.multiple_of,
             far_wall: declaration.far_wall,
+            background: declaration.background,
+            answers: declaration.answers.iter().map(|one| one.name()).collect(),
+            expected_depth: declaration
+                .has(Quantity::ExpectedDepth)
+                .then(|| declaration.expected_depth.name()),
         },
         axis: match settings.axis {
             Axis::Step => "step",
@@ -150,14 +173,8 @@ pub fn json(verification: &Verification) -> Result<String, ReportError> {
         steps: settings.steps.name(),
         ladder: &settings.ladder,
         conclusion: verification.conclusion().name(),
-        counts: Counts {
-            confirmed: counts.confirmed,
-            contradicted: counts.contradicted,
-            inconclusive: counts.inconclusive,
-            unresolved: counts.unresolved,
-            blind: counts.blind,
-            failed: counts.failed,
-        },
+        counts: counts_of(verification.counts()),
+        answers: answers(verification),
         as_declared: verification
             .as_declared()
             .map(|(agree, of)| Declared { agree, of }),
@@ -180,6 +197,28 @@ pub fn json(verification: &Verification) -> Result<String, ReportError> {
     let mut text = serde_json::to_string_pretty(&document)?;
     text.push('\n');
     Ok(text)
+}
+
+fn counts_of(counts: standing::Counts) -> Counts {
+    Counts {
+        confirmed: counts.confirmed,
+        contradicted: counts.contradicted,
+        inconclusive: counts.inconclusive,
+        unresolved: counts.unresolved,
+        blind: counts.blind,
+        failed: counts.failed,
+    }
+}
+
+fn answers(verification: &Verification) -> Vec<Answers> {
+    let not_shown = verification.not_shown();
+    let others = verification.quantities().into_iter().skip(1);
+    let of = |quantity: Quantity| Answers {
+        quantity: quantity.name(),
+        shown: !not_shown.contains(&quantity),
+        counts: counts_of(verification.counts_of(quantity)),
+    };
+    others.map(of).collect()
 }
 
 fn identification<'a>(
@@ -211,8 +250,10 @@ fn row(line: &Line) -> Row<'_> {
         segments: failure.segments,
         error: failure.error.to_string(),
     });
+    let said = line.remarks.iter().map(|remark| remark.of(line.quantity));
     Row {
         name: &line.name,
+        quantity: line.quantity.name(),
         expected: theory(line.expected),
         standing: line.standing.name(),
         verdict: line.measured.verdict().name(),
@@ -221,7 +262,7 @@ fn row(line: &Line) -> Row<'_> {
         exact: line.exact.clone(),
         unproved: &line.unproved,
         largest_error: line.largest_error().filter(|error| error.is_finite()),
-        remarks: line.remarks.iter().map(ToString::to_string).collect(),
+        remarks: said.collect(),
         steady: line.steady,
         failures: failures.collect(),
         fit,

@@ -1,7 +1,7 @@
 //! `JUnit` XML, which CI servers show: one test case a channel, and one for what the kernel computes.
 
 use super::words::{failure, failures, findings, not_declared, order, theory};
-use super::{deviates, identified};
+use super::{answers, deviates, identified};
 use crate::document::Finding;
 use crate::study::verify::{Conclusion, Line, Standing, Verification};
 use std::fmt::Write;
@@ -18,7 +18,7 @@ pub fn junit(verification: &Verification) -> String {
         let _ = writeln!(
             cases,
             "    <testcase classname=\"{suite}\" name=\"{name}\">{}</testcase>",
-            body(line)
+            body(line, verification.is_accepted(line.quantity))
         );
     }
     let deviates = deviates(verification);
@@ -37,18 +37,31 @@ pub fn junit(verification: &Verification) -> String {
         "    <testcase classname=\"{suite}\" name=\"identification\">{inside}</testcase>"
     );
     let counts = verification.counts();
+    let accepted = verification.lines.iter().filter(|line| {
+        line.standing == Standing::Contradicted && verification.is_accepted(line.quantity)
+    });
+    let accepted = accepted.count();
+    let contradicted = counts.contradicted - accepted;
     let nothing = verification.conclusion() != Conclusion::Confirmed
-        && counts.contradicted + counts.failed == 0
+        && contradicted + counts.failed == 0
         && !deviates;
     if nothing {
+        let not_shown: Vec<String> = answers::not_shown(verification)
+            .map(|said| said.words)
+            .collect();
+        let why = if not_shown.is_empty() {
+            "no order is confirmed".into()
+        } else {
+            escape(&not_shown.join("; "))
+        };
         let _ = writeln!(
             cases,
-            "    <testcase classname=\"{suite}\" name=\"conclusion\"><failure message=\"no order is confirmed\"/></testcase>"
+            "    <testcase classname=\"{suite}\" name=\"conclusion\"><failure message=\"{why}\"/></testcase>"
         );
     }
     let tests = verification.lines.len() + 1 + usize::from(nothing);
-    let failures = counts.contradicted + usize::from(deviates) + usize::from(nothing);
-    let skipped = counts.inconclusive + counts.unresolved + counts.blind;
+    let failures = contradicted + usize::from(deviates) + usize::from(nothing);
+    let skipped = counts.inconclusive + counts.unresolved + counts.blind + accepted;
     let totals = format!(
         "tests=\"{tests}\" failures=\"{failures}\" errors=\"{}\" skipped=\"{skipped}\"",
         counts.failed
@@ -58,7 +71,7 @@ pub fn junit(verification: &Verification) -> String {
     )
 }
 
-fn body(line: &Line) -> String {
+fn body(line: &Line, is_accepted: bool) -> String {
     let found = format!(
         "{}: expected {}, measured {}",
         line.measured.verdict(),
@@ -68,6 +81,9 @@ fn body(line: &Line) -> String {
     let found = escape(&found);
     match line.standing {
         Standing::Confirmed => String::new(),
+        Standing::Contradicted if is_accepted => {
+            format!("<skipped message=\"accepted ({found})\"/>")
+        }
         Standing::Contradicted => format!("<failure message=\"{found}\"/>"),
         Standing::Inconclusive | Standing::Unresolved | Standing::Blind => {
             format!("<skipped message=\"{} ({found})\"/>", line.standing)

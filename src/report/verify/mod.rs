@@ -1,5 +1,6 @@
 //! A kernel put to the test: rows as they come, what they say in all, JSON, `JUnit` XML.
 
+mod answers;
 mod identified;
 #[cfg(feature = "studies")]
 mod json;
@@ -18,6 +19,7 @@ pub use rows::{heading, row, scattered_heading};
 #[cfg(feature = "studies")]
 use super::plots;
 use super::unproved::not_proved;
+use crate::case::Unproved;
 use crate::document::{
     self, About, Block, Cell, Column, Document, Fact, Finding, Medium, Section, Table, Tone,
 };
@@ -26,7 +28,7 @@ use crate::method::Expected;
 use crate::render::{ReportError, write_document};
 #[cfg(feature = "studies")]
 use crate::study::verify::Identified;
-use crate::study::verify::{Conclusion, Line, Measured, Standing, Verification};
+use crate::study::verify::{Conclusion, Line, Measured, Remark, Standing, Verification};
 #[cfg(feature = "studies")]
 use std::path::{Path, PathBuf};
 use words::{
@@ -64,6 +66,11 @@ pub fn document(verification: &Verification, about: &About) -> Document {
             "witness",
             "The smallest ray that shows it",
             identified::witness(verification),
+        ),
+        Section::of(
+            "answers",
+            "What else it answers",
+            answers::others(verification),
         ),
         Section::of(
             "findings",
@@ -126,7 +133,10 @@ fn counts(verification: &Verification) -> Vec<Fact> {
         tone: (count > 0 || tone != Tone::Bad).then_some(tone),
         ..Fact::new(name, count.to_string())
     };
-    let of = Fact::new("channels", verification.lines.len().to_string());
+    let of = Fact::new(
+        answers::word(verification),
+        verification.lines.len().to_string(),
+    );
     shown.map(fact).chain([of]).collect()
 }
 
@@ -141,23 +151,29 @@ fn said_by_values(verification: &Verification) -> Vec<Block> {
     said.chain(found.into_iter().flatten())
         .chain(visible(&verification.lines))
         .chain(unresolved(verification).into_iter().map(Block::Finding))
-        .chain(unproved(&verification.lines))
+        .chain(unproved(verification))
         .collect()
 }
 
 /// What is visibly wrong, whatever orders are.
 fn visible(lines: &[Line]) -> impl Iterator<Item = Block> {
     lines.iter().flat_map(|line| {
-        let said = |remark| Finding::new("visible", format!("{} {remark}", line.name));
+        let said = |remark: &Remark| {
+            let words = remark.of(line.quantity);
+            Finding::new("visible", format!("{} {words}", line.name))
+        };
         let said = line.remarks.iter().map(said);
         said.map(|finding| Block::Finding(finding.toned(Tone::Bad)))
     })
 }
 
 /// What channels rest on and is not proved.
-fn unproved(lines: &[Line]) -> impl Iterator<Item = Block> {
-    lines.iter().flat_map(|line| {
-        let open = line.unproved.iter();
+fn unproved(verification: &Verification) -> impl Iterator<Item = Block> {
+    let first = verification.quantities().first().copied();
+    verification.lines.iter().flat_map(move |line| {
+        // What a case rests on is said once, of the first that is answered; what is an estimate, of each.
+        let is_own = move |open: &&Unproved| Some(line.quantity) == first || open.is_of_value();
+        let open = line.unproved.iter().filter(is_own);
         open.map(|open| not_proved(&line.name, open))
     })
 }
@@ -224,7 +240,8 @@ fn plot(line: &Line) -> Option<Block> {
     let mut errors = samples.iter().map(|sample| &sample.error);
     errors.find(|error| error.is_finite() && !error.is_zero())?;
     let plot = plots::of_convergence(samples, fit, &line.name);
-    let figure = document::Figure::new(line.name.replace('/', "-"), &line.name, [plot]);
+    let file = line.name.replace(['/', ':'], "-");
+    let figure = document::Figure::new(file, &line.name, [plot]);
     Some(Block::Figure(figure))
 }
 
@@ -240,12 +257,24 @@ fn run(verification: &Verification) -> Block {
     let declaration = &verification.declaration;
     let declared = declaration.method.map_or("none".into(), |m| m.name());
     let claimed = declaration.order.map_or("none".into(), |o| o.to_string());
+    let answers: Vec<String> = declaration
+        .answers
+        .iter()
+        .map(ToString::to_string)
+        .collect();
+    let behind = if declaration.background {
+        "0.5 behind the first channel, 0.25 more behind each further one"
+    } else {
+        "none"
+    };
     Block::Facts(vec![
         Fact::new("levels", axis(verification)),
         Fact::new("declared method", declared),
         Fact::new("declared order", claimed),
         Fact::new("format", declaration.format.to_string()),
         Fact::new("given", declaration.form.to_string()),
+        Fact::new("answers", answers.join(", ")),
+        Fact::new("background", behind),
     ])
 }
 

@@ -4,6 +4,7 @@ use super::scattered::short;
 use super::tone;
 use super::words::{bars, failure, failures, largest, order, sign, theory, window};
 use crate::document::{Cell, Column, Finding, Table, Tone};
+use crate::kernel::Quantity;
 use crate::render::terminal;
 use crate::study::verify::{Line, Measured, Standing};
 
@@ -61,10 +62,11 @@ pub fn heading(width: usize, color: bool) -> String {
 
 /// One channel: the order promised and measured, the window, the largest error as a part of the radiance, the
 /// errors as bars, the verdict; failures below. Of a kernel that draws random numbers the orders of both parts of its
-/// error, in place of window and largest error. Nothing where no method shows the order: those stand in one place.
+/// error, in place of window and largest error. Nothing where no method shows the order, and of other quantities than the
+/// first that is answered where they do not contradict: those stand in one place.
 #[must_use]
-pub fn row(line: &Line, width: usize, color: bool) -> String {
-    if line.standing == Standing::Unresolved {
+pub fn row(line: &Line, first: Quantity, width: usize, color: bool) -> String {
+    if line.standing == Standing::Unresolved || is_beside(line, first) {
         return String::new();
     }
     let tone = tone(line.standing);
@@ -81,7 +83,7 @@ pub fn row(line: &Line, width: usize, color: bool) -> String {
     };
     let first = [
         Cell::verdict(sign(line.standing), tone),
-        Cell::text(&line.name),
+        Cell::text(name(line, first)),
         Cell::text(theory(line.expected)),
     ];
     let last = [
@@ -98,6 +100,19 @@ pub fn row(line: &Line, width: usize, color: bool) -> String {
     text
 }
 
+/// The case alone where all rows are of the same quantity.
+fn name(line: &Line, first: Quantity) -> &str {
+    match line.name.split_once(':') {
+        Some((case, _)) if line.quantity == first => case,
+        _ => &line.name,
+    }
+}
+
+/// Whether a section of its own says all of it.
+fn is_beside(line: &Line, first: Quantity) -> bool {
+    line.quantity != first && line.standing != Standing::Contradicted
+}
+
 /// What stands below a row.
 fn trouble(line: &Line) -> Vec<String> {
     let groups = failures(line);
@@ -111,7 +126,8 @@ fn trouble(line: &Line) -> Vec<String> {
     if !line.steady {
         shown.push("two answers to the coarsest level differ".into());
     }
-    shown.extend(line.remarks.iter().map(ToString::to_string));
+    let remarks = line.remarks.iter();
+    shown.extend(remarks.map(|remark| remark.of(line.quantity)));
     shown
 }
 

@@ -2,6 +2,7 @@
 
 use super::scattered;
 use crate::document::{Finding, Tone};
+use crate::kernel::Quantity;
 use crate::method::Expected;
 use crate::study::verify::{
     Axis, Conclusion, Counts, Line, MISSING, Measured, Standing, Steps, Verification,
@@ -90,7 +91,10 @@ pub(super) fn largest(line: &Line) -> String {
 /// Channels on which no method of the order shows it: all in one place.
 pub(super) fn unresolved(verification: &Verification) -> Vec<Finding> {
     let lines = verification.lines.iter();
-    let lines = lines.filter(|line| line.standing == Standing::Unresolved);
+    // Others are counted in their own place.
+    let first = verification.quantities().first().copied();
+    let lines =
+        lines.filter(|line| line.standing == Standing::Unresolved && Some(line.quantity) == first);
     let (unknown, known): (Vec<&Line>, Vec<&Line>) =
         lines.partition(|line| line.expected == Some(Expected::Unknown));
     let by = if verification.is_of_method() {
@@ -115,7 +119,12 @@ fn missing(verification: &Verification) -> String {
     if missing <= MISSING {
         return String::new();
     }
-    let required = verification.lines.iter().filter(|line| line.is_required);
+    let first = verification.quantities().first().copied();
+    let of_first = verification
+        .lines
+        .iter()
+        .filter(|line| Some(line.quantity) == first);
+    let required = of_first.filter(|line| line.is_required);
     let by = if verification.is_of_method() {
         "the declared method shows its order"
     } else {
@@ -242,8 +251,19 @@ pub(super) fn findings(verification: &Verification, most: usize) -> Vec<Finding>
 
 /// Why a verification is not confirmed, or what makes it so.
 pub(super) fn conclusion(verification: &Verification) -> String {
-    let counts = verification.counts();
-    let all = self::counts(counts, verification.lines.len());
+    let quantities = verification.quantities();
+    let first = quantities.first().copied().unwrap_or(Quantity::Radiance);
+    let counts = verification.counts_of(first);
+    let mut all = self::counts(counts, verification.of(first).count());
+    if first != Quantity::Radiance {
+        all = format!("{first} {}", all.replace("channels", "cases"));
+    }
+    all.extend(quantities.into_iter().skip(1).map(|quantity| {
+        let others = verification.counts_of(quantity);
+        let (confirmed, wrong) = (others.confirmed, others.contradicted + others.failed);
+        let of = verification.of(quantity).count();
+        format!("; {quantity} {confirmed} confirmed, {wrong} contradicted of {of} cases")
+    }));
     match verification.conclusion() {
         Conclusion::Confirmed if counts.confirmed == 0 => format!(
             "confirmed: answers are right to one quantum, and no order shows through it: {all}"

@@ -5,12 +5,15 @@ mod floor;
 mod resolved;
 mod sampled;
 mod used;
+mod wanted;
+
+pub(super) use wanted::{Run, Wanted, depth_rule};
 
 use super::identified::SeenLevel;
 use super::{Axis, Settings, VerifyError};
 use crate::kernel::{
-    Cut, CutError, Data, Declaration, FormKind, Formula, Kernel, KernelError, Rendering, Segments,
-    Subject, Task, Volume,
+    Cut, CutError, Data, Declaration, FormKind, Formula, Kernel, KernelError, Quantity, Rendering,
+    Segments, Subject, Task, Volume,
 };
 use crate::study::Progress;
 use rug::{Float, Rational};
@@ -60,6 +63,14 @@ impl Answers {
         (levels + self.spots.len() + usize::from(self.again.is_some())) as u64
     }
 
+    /// All that were given.
+    fn given(&self) -> impl Iterator<Item = &Rendering> {
+        let levels = self.levels.iter().flatten().chain(&self.spots);
+        levels
+            .chain(&self.again)
+            .filter_map(|one| one.as_ref().ok())
+    }
+
     /// Whether there is a single one.
     pub(super) fn are_there(&self) -> bool {
         self.levels.iter().flatten().any(Result::is_ok)
@@ -75,6 +86,9 @@ impl<'a> Asked<'a> {
         let form = declaration.form;
         if settings.axis == Axis::Grid && form != FormKind::Volume {
             return Err(VerifyError::Axis { form });
+        }
+        if settings.axis == Axis::Grid && !declaration.has(Quantity::Radiance) {
+            return Err(VerifyError::NoRadiance);
         }
         let cut_error = |error| VerifyError::Cut {
             case: subject.name().into(),
@@ -123,6 +137,15 @@ impl<'a> Asked<'a> {
         })
     }
 
+    /// What is wanted of the answers.
+    pub(super) fn wanted(&self, answers: &Answers) -> Result<Vec<Wanted>, VerifyError> {
+        // While a grid is refined only the radiance is looked at.
+        let others = self.settings.axis == Axis::Step;
+        let all = wanted::wanted(self.subject, self.declaration, answers.given())?;
+        let looked_at = |one: &Wanted| others || one.quantity == Quantity::Radiance;
+        Ok(all.into_iter().filter(looked_at).collect())
+    }
+
     /// Asks all levels.
     pub(super) fn of(&self, kernel: &mut dyn Kernel, progress: &dyn Progress) -> Answers {
         let stochastic = self.declaration.stochastic;
@@ -162,7 +185,10 @@ impl<'a> Asked<'a> {
     /// What was answered, where that is one answer to each ray: to compare a rule with.
     pub(super) fn seen(&self, answers: &Answers) -> Result<Vec<SeenLevel>, VerifyError> {
         let mut seen = Vec::new();
-        if self.declaration.stochastic || self.declaration.form == FormKind::Volume {
+        // A rule knows no background.
+        let has_background = !self.subject.background().is_empty();
+        let has_rule = !self.declaration.stochastic && !has_background;
+        if !has_rule || self.declaration.form == FormKind::Volume {
             return Ok(seen);
         }
         let firsts = answers.levels.iter().map(|level| level.first());
@@ -200,16 +226,22 @@ impl<'a> Asked<'a> {
         }
     }
 
-    /// An answer with a radiance for every channel, of a ray that can be.
+    /// An answer with what is declared, a radiance for every channel among it, of a ray that can be.
     fn checked(
         &self,
         level: &Level,
         answer: Result<Rendering, KernelError>,
     ) -> Result<Rendering, KernelError> {
         let rendering = answer?;
-        let (got, wanted) = (rendering.radiance.len(), self.subject.channels().len());
-        if got != wanted {
-            return Err(KernelError::Channels { got, wanted });
+        for quantity in self.declaration.answers.iter().copied() {
+            let (got, wanted) = (rendering.radiance.len(), self.subject.channels().len());
+            if quantity == Quantity::Radiance && got != wanted {
+                return Err(KernelError::Channels { got, wanted });
+            }
+            if rendering.of(quantity, 0).is_none() {
+                let given = false;
+                return Err(KernelError::Answers { quantity, given });
+            }
         }
         let used = |what, value| Err(KernelError::Used { what, value });
         let cut = || self.used(level, &rendering).on(self.subject.length());

@@ -14,6 +14,18 @@ pub struct Finding {
     pub wrong: bool,
 }
 
+/// Opacities that are none.
+pub(super) fn outside(lines: &[Line]) -> Option<Finding> {
+    let outside = lines.iter().filter(|line| line.outside.is_some());
+    let channels: Vec<String> = outside.map(|line| line.name.clone()).collect();
+    let first = lines.iter().find_map(|line| line.outside)?;
+    Some(Finding {
+        words: format!("an opacity of {first} (allowed: 0 to 1)"),
+        channels,
+        wrong: true,
+    })
+}
+
 /// Channels in which the same question has two answers.
 pub(super) fn unsteady(declaration: &Declaration, lines: &[Line]) -> Option<Finding> {
     let unsteady = lines.iter().filter(|line| !line.steady);

@@ -4,7 +4,7 @@ use super::accept::{Acceptance, Accepted, acceptance};
 use super::{Line, Settings};
 use crate::identify::rule::Rule;
 use crate::identify::{Budget, Deviation, Examined, Seen, Spent, examine};
-use crate::kernel::{FormKind, Kernel, Segments, Subject};
+use crate::kernel::{FormKind, Kernel, Quantity, Segments, Subject};
 use crate::study::Progress;
 use std::time::Duration;
 
@@ -134,7 +134,9 @@ pub(super) fn identified(
         FormKind::Segments | FormKind::Volume => false,
     };
     let (mut compared, mut differs) = (0, Vec::new());
-    let mut lines = lines.iter();
+    let mut lines = lines
+        .iter()
+        .filter(|line| line.quantity == Quantity::Radiance);
     for (subject, levels) in ladder.subjects.iter().zip(&ladder.levels) {
         let mut agrees: Option<Vec<bool>> = None;
         for level in levels {

@@ -3,19 +3,25 @@
 use super::nominal::Nominal;
 use super::{Remark, Standing};
 use crate::case::Unproved;
-use crate::convergence::{ErrorPart, Fit, Replicas, ReportedError, Sample, StochasticFit, Verdict};
-use crate::kernel::KernelError;
+use crate::convergence::{
+    ErrorPart, FLOOR_MARGIN, Fit, Replicas, ReportedError, Sample, StochasticFit, Verdict,
+};
+use crate::kernel::{KernelError, Quantity};
 use crate::method::Expected;
 use rug::Float;
 
 /// One channel of a case.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Line {
-    /// The case, with its channel.
+    /// The case, with its channel, or with the quantity where that is another one: `sine-squared:opacity`.
     pub name: String,
+    /// What is measured.
+    pub quantity: Quantity,
+    /// An opacity that was answered outside 0 to 1, beyond rounding.
+    pub outside: Option<f64>,
     /// The order that theory, or the kernel, promises; `None` where nothing is promised.
     pub expected: Option<Expected>,
-    /// The radiance that it should give.
+    /// What it should give.
     pub exact: Float,
     /// What that rests on and is not proved.
     pub unproved: Vec<Unproved>,
@@ -131,6 +137,14 @@ impl Line {
         errors.into_iter().max_by(f64::total_cmp)
     }
 
+    /// Whether it shows the order, no error at all, or no larger one than methods have.
+    #[must_use]
+    pub fn is_shown(&self) -> bool {
+        self.standing == Standing::Confirmed
+            || self.is_as_good
+            || self.measured.verdict() == Verdict::Exact
+    }
+
     /// Whether every level was answered.
     #[must_use]
     pub fn is_complete(&self) -> bool {
@@ -184,6 +198,20 @@ impl Radiances {
         if self.levels.last().is_none_or(refines) {
             self.levels.push(level);
         }
+    }
+
+    /// The first that is no opacity, but for rounding.
+    pub(super) fn outside_of_opacities(&self) -> Option<f64> {
+        let is_outside = |value: &Float, floor: &Float| {
+            let margin = floor.to_f64() * f64::from(FLOOR_MARGIN);
+            let value = value.to_f64();
+            value < -margin || value > 1.0 + margin
+        };
+        let levels = self.levels.iter();
+        let values =
+            levels.flat_map(|level| level.values.iter().map(|value| (value, &level.floor)));
+        let mut outside = values.filter(|(value, floor)| is_outside(value, floor));
+        outside.next().map(|(value, _)| value.to_f64())
     }
 
     /// Whether every answer is a number.

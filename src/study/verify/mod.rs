@@ -2,6 +2,7 @@
 
 mod accept;
 mod asked;
+mod background;
 #[cfg(feature = "studies")]
 mod baseline;
 mod expectation;
@@ -31,7 +32,8 @@ pub use standing::{Counts, Standing};
 
 use super::Progress;
 use crate::convergence::Verdict;
-use crate::kernel::{Declaration, DeclarationError, Kernel, Subject};
+use crate::identify::OPACITY_ANSWERED;
+use crate::kernel::{Declaration, DeclarationError, Kernel, Quantity, Subject, SubjectError};
 use crate::reference::ReferenceError;
 use asked::Asked;
 use identified::{Ladder, identified};
@@ -51,9 +53,9 @@ pub struct Verification {
     pub declaration: Declaration,
     /// How it was tested.
     pub settings: Settings,
-    /// One a channel, in the order of the cases.
+    /// In the order of the cases: one a channel, and one for every other quantity that was answered.
     pub lines: Vec<Line>,
-    /// What it computes; `None` where that was not to be read off, along the grid, or where there is no answer.
+    /// What it computes; `None` where that was not to be read off, along the grid, or where there is no radiance.
     pub identification: Option<Identified>,
     /// What else was found, with the channels that show it.
     pub findings: Vec<Finding>,
@@ -76,7 +78,54 @@ impl Verification {
     /// How many channels stand how.
     #[must_use]
     pub fn counts(&self) -> Counts {
-        Counts::of(&self.lines)
+        Counts::of(self.lines.iter())
+    }
+
+    /// How many lines of one quantity stand how.
+    #[must_use]
+    pub fn counts_of(&self, quantity: Quantity) -> Counts {
+        Counts::of(self.of(quantity))
+    }
+
+    /// The quantities that were measured, as they are reported; the first is the one that rows are printed of.
+    #[must_use]
+    pub fn quantities(&self) -> Vec<Quantity> {
+        let is_there = |quantity: &Quantity| self.of(*quantity).next().is_some();
+        Quantity::ALL.into_iter().filter(is_there).collect()
+    }
+
+    /// The lines of one quantity.
+    pub fn of(&self, quantity: Quantity) -> impl Iterator<Item = &Line> {
+        let lines = self.lines.iter();
+        lines.filter(move |line| line.quantity == quantity)
+    }
+
+    /// Quantities beside the first that are not shown to be right: with a channel confirmed, or none worse than methods are,
+    /// and no more missing than may be.
+    #[must_use]
+    pub fn not_shown(&self) -> Vec<Quantity> {
+        let others = self.quantities().into_iter().skip(1);
+        // What comes without a word promises nothing; what is wrong with it contradicts.
+        let counted = others
+            .filter(|quantity| self.declaration.has(*quantity) && !self.is_accepted(*quantity));
+        let is_shown = |quantity: &Quantity| {
+            let mut lines = self.of(*quantity);
+            let shows = lines.any(Line::is_shown);
+            shows && missing(self.of(*quantity)) <= MISSING
+        };
+        counted.filter(|quantity| !is_shown(quantity)).collect()
+    }
+
+    /// Whether what is wrong with a quantity is a deviation that is accepted.
+    #[must_use]
+    pub fn is_accepted(&self, quantity: Quantity) -> bool {
+        let accepted = &self.settings.accept;
+        let found = self.identification.iter();
+        let mut deviations = found.flat_map(|found| found.deviations(accepted));
+        quantity == Quantity::Opacity
+            && deviations.any(|(deviation, how)| {
+                deviation.name == OPACITY_ANSWERED && how == Acceptance::Accepted
+            })
     }
 
     /// Whether orders are those of a method that is declared, and not of an order alone.
@@ -100,10 +149,8 @@ impl Verification {
     /// have larger errors than these: what is better than promised has no order that was.
     #[must_use]
     pub fn missing(&self) -> usize {
-        let lines = self.lines.iter().filter(|line| line.is_required);
-        lines
-            .filter(|line| line.standing != Standing::Confirmed && !line.is_as_good)
-            .count()
+        let first = self.quantities().first().copied();
+        first.map_or(0, |quantity| missing(self.of(quantity)))
     }
 
     /// Whether a kernel that says it draws random numbers has the same answers to several seeds, and errors in them.
@@ -153,19 +200,29 @@ impl Verification {
     /// What it says in all.
     #[must_use]
     pub fn conclusion(&self) -> Conclusion {
-        let counts = self.counts();
+        let first = self.quantities().first().copied();
+        let counted = self.lines.iter();
+        let counts = Counts::of(counted.filter(|line| !self.is_accepted(line.quantity)));
         let contradicts = self.contradicts_declaration() && !self.is_explained();
         let deviates = contradicts || self.deviates();
         let failed = counts.failed + counts.contradicted > 0;
         // A case may hide an error, but not most of them: then the order is a higher one.
-        let higher = self.lines.iter().filter(|line| {
+        // What is answered beside the first quantity may well be better than that.
+        let of_first: Vec<&Line> = self
+            .lines
+            .iter()
+            .filter(|line| Some(line.quantity) == first)
+            .collect();
+        let confirmed = Counts::of(of_first.iter().copied()).confirmed;
+        let higher = of_first.iter().filter(|line| {
             line.standing == Standing::Inconclusive && line.measured.verdict() == Verdict::TooHigh
         });
-        let failed = failed || higher.count() > counts.confirmed;
-        let failed = failed || self.missing() > MISSING || self.seeds_repeat();
+        let failed = failed || higher.count() > confirmed;
+        let failed = failed || self.missing() > MISSING || !self.not_shown().is_empty();
+        let failed = failed || self.seeds_repeat();
         if self.lines.iter().all(Line::is_without_answer) {
             Conclusion::CouldNotRun
-        } else if (counts.confirmed == 0 && !self.is_right_to_quantum()) || failed || deviates {
+        } else if (confirmed == 0 && !self.is_right_to_quantum()) || failed || deviates {
             Conclusion::NotConfirmed
         } else {
             Conclusion::Confirmed
@@ -185,6 +242,14 @@ impl Conclusion {
     }
 }
 
+/// How many are not confirmed although methods are, and have larger errors than these.
+fn missing<'a>(lines: impl Iterator<Item = &'a Line>) -> usize {
+    let required = lines.filter(|line| line.is_required);
+    required
+        .filter(|line| line.standing != Standing::Confirmed && !line.is_as_good)
+        .count()
+}
+
 /// Runs a kernel on all subjects; `shown` hears of every channel as soon as it is done.
 ///
 /// # Errors
@@ -200,11 +265,16 @@ pub fn verify(
     let declaration = kernel.declaration().clone();
     declaration.check()?;
     let settings = &settings.suited(&declaration)?;
+    let lit = background::before(subjects, &declaration, settings)?;
+    let subjects = lit.as_deref().unwrap_or(subjects);
     let mut lines = Vec::new();
     let mut unanswered = 0;
     let mut seeds = Seeds::new(settings.replicas);
     let started = Instant::now();
-    let identifies = settings.identify != Identify::Off && settings.axis == Axis::Step;
+    // Rules are those of radiances.
+    let identifies = settings.identify != Identify::Off
+        && settings.axis == Axis::Step
+        && declaration.has(Quantity::Radiance);
     let (mut seen, mut rays) = (Vec::new(), 0);
     for subject in subjects {
         if unanswered < UNANSWERED_CASES {
@@ -218,10 +288,11 @@ pub fn verify(
         } else {
             unanswered + 1
         };
-        for channel in 0..subject.channels().len() {
-            let line = asked.line(channel, &answers)?;
-            shown(&line);
-            lines.push(line);
+        for wanted in asked.wanted(&answers)? {
+            if let Some(line) = asked.line(&wanted, &answers)? {
+                shown(&line);
+                lines.push(line);
+            }
         }
         rays += answers.rays();
         if identifies {
@@ -237,9 +308,8 @@ pub fn verify(
     let answers = !lines.iter().all(Line::is_without_answer);
     let identification =
         (identifies && answers).then(|| identified(kernel, settings, &ladder, &lines, progress));
-    let findings = explain::unsteady(&declaration, &lines)
-        .into_iter()
-        .collect();
+    let unsteady = explain::unsteady(&declaration, &lines).into_iter();
+    let findings = unsteady.chain(explain::outside(&lines)).collect();
     let different_seeds = declaration.stochastic.then(|| seeds.different());
     let mut verification = Verification {
         declaration,
@@ -279,12 +349,20 @@ pub enum VerifyError {
         /// Why.
         error: ReferenceError,
     },
+    /// A background that is none of the case.
+    #[error(transparent)]
+    Background(#[from] SubjectError),
     /// The kernel wants what there is none of on this axis.
     #[error("the kernel takes {form} (allowed with --axis grid: volume)")]
     Axis {
         /// The form it takes.
         form: crate::kernel::FormKind,
     },
+    /// The kernel answers nothing that is looked at on this axis.
+    #[error(
+        "the kernel answers no radiance (allowed with --axis grid: a radiance among its answers)"
+    )]
+    NoRadiance,
     /// A formula without code.
     #[error("{case}: {error}")]
     Formula {

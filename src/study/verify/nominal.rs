@@ -3,7 +3,7 @@
 mod marched;
 
 use crate::case::SymbolicCase;
-use crate::identify::rule::{Law, Rule, Scheme, Shape, Wall};
+use crate::identify::rule::{Law, Place, Rule, Scheme, Shape, Wall};
 use crate::identify::stated;
 use crate::kernel::{Declaration, FormKind, Segments, radiance_in};
 use crate::method::{Method, OpacityFormula};
@@ -30,7 +30,7 @@ pub(super) struct Given<'a> {
     pub(super) uniform: Option<u64>,
 }
 
-/// The declared method's radiance at one level.
+/// What the declared method gives at one level.
 #[derive(Clone, Debug)]
 pub(super) struct Nominal {
     /// With bits to spare, from the samples that the kernel was given.
@@ -44,6 +44,15 @@ pub(super) struct Nominal {
 }
 
 impl Nominal {
+    /// With what is behind a ray whose samples are by so much darker.
+    pub(super) fn before(self, background: f64) -> Nominal {
+        Nominal {
+            exact: self.exact + background,
+            in_format: self.in_format + background,
+            ..self
+        }
+    }
+
     /// Whether it comes of the samples that the kernel was given, and not of the case.
     pub(super) fn is_of_samples(&self) -> bool {
         self.is_of_samples
@@ -59,6 +68,7 @@ impl Nominal {
         scale: f64,
         given: &Given<'_>,
         declaration: &Declaration,
+        quantum: Option<f64>,
     ) -> bool {
         // Answers come in binary64.
         let unit = unit(declaration).max(f64::EPSILON / 2.0);
@@ -67,7 +77,7 @@ impl Nominal {
         let size = scale.max(model.abs()).max(self.terms.unwrap_or(0.0));
         let bright = largest_emission(given.segments, given.channel);
         let rounding = unit * ((32.0 + 4.0 * n) * size + 2.0 * n * bright);
-        (value - model).abs() <= rounding + 0.5001 * declaration.quantum.unwrap_or(0.0)
+        (value - model).abs() <= rounding + 0.5001 * quantum.unwrap_or(0.0)
     }
 }
 
@@ -118,6 +128,49 @@ pub(super) fn at_level(declaration: &Declaration, given: &Given<'_>) -> Option<N
         terms: alternates(&rule).then(|| terms(&rule, given.segments, given.step, given.channel)),
         is_of_samples: true,
     })
+}
+
+/// The optical depth that a method sums of one sample a segment.
+pub(super) fn depth_at_level(
+    declaration: &Declaration,
+    given: &Given<'_>,
+    place: Place,
+) -> Nominal {
+    let of = |format: FormatName| format.with(Summed { given, place });
+    Nominal {
+        exact: of(FormatName::Mpfr(declaration.format.bits() + MORE_BITS)),
+        in_format: of(declaration.format),
+        terms: None,
+        is_of_samples: true,
+    }
+}
+
+struct Summed<'a> {
+    given: &'a Given<'a>,
+    place: Place,
+}
+
+impl WithFormat for Summed<'_> {
+    type Output = Float;
+
+    fn run<F: Format>(self, format: F) -> Float {
+        summed(self.given.segments, self.place, format).to_float()
+    }
+}
+
+/// Σ τ d of one sample a segment.
+pub(super) fn summed<F: Format>(segments: &Segments, place: Place, format: F) -> F::Real {
+    let (samples, first) = match place {
+        Place::Front => (&segments.edges, 0),
+        Place::Middle => (&segments.middles, 0),
+        Place::Back => (&segments.edges, 1),
+    };
+    let mut depth = format.int(0);
+    let extinctions = samples.extinction.iter().skip(first);
+    for (extinction, length) in extinctions.zip(segments.lengths()) {
+        depth += &(format.binary64(*extinction) * &format.binary64(length));
+    }
+    depth
 }
 
 fn alternates(rule: &Rule) -> bool {

@@ -1,12 +1,11 @@
 //! The methods of an order, on the levels that a kernel was asked: what all of them show can be seen there, and what none of
 //! them does is the kernel's own.
 
-use crate::case::SymbolicCase;
 use crate::convergence::{FitError, Sample, Verdict, fit};
-use crate::kernel::radiance_in;
 use crate::method::{Expected, Method, MethodError};
 use crate::parallel;
 use crate::real::FormatName;
+use crate::study::verify::asked::Run;
 use crate::study::verify::remark::Seen;
 use rug::Float;
 
@@ -83,22 +82,20 @@ impl Peers {
         Ok(Peers::OfMethod([exact, in_format]))
     }
 
-    /// The methods of that order at the kernel's levels and with its floors; none for an order that has no method.
+    /// Methods of an order at the kernel's levels and with its floors.
     ///
     /// # Errors
     /// [`FitError`], which levels of a kernel do not cause.
     pub(super) fn of_order(
-        order: f64,
+        methods: &[Run<'_>],
         expected: Option<Expected>,
-        case: &SymbolicCase,
         format: FormatName,
         exact: &Float,
         levels: &[(u64, Sample)],
     ) -> Result<Peers, FitError> {
-        let methods = methods(order);
         let mut peers = Vec::with_capacity(methods.len());
         for method in methods {
-            let run = |(n, _): &(u64, Sample)| radiance_in(format, &method, case, *n);
+            let run = |(n, _): &(u64, Sample)| method.on(format, *n);
             let radiances: Result<Vec<Float>, MethodError> = parallel::try_map(levels, run);
             // A method that does not run on these levels is no measure.
             let Ok(radiances) = radiances else { continue };

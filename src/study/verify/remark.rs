@@ -4,8 +4,8 @@ use super::line::part_of;
 use super::peers::Peer;
 use crate::convergence::verdict::NO_CONVERGENCE;
 use crate::convergence::{FLOOR_MARGIN, Sample};
+use crate::kernel::Quantity;
 use rug::Float;
-use std::fmt;
 
 /// Pairwise orders above this fall.
 const FALLING: f64 = 0.5;
@@ -42,24 +42,24 @@ pub enum Remark {
     },
 }
 
-impl fmt::Display for Remark {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+impl Remark {
+    /// In words, of what is measured.
+    #[must_use]
+    pub fn of(&self, quantity: Quantity) -> String {
         match self {
             Remark::Plateau {
                 first,
                 last,
                 relative,
-            } => write!(
-                f,
-                "stays {relative:.1e} of the radiance off from n = {first} to {last}, where methods of its order converge"
+            } => format!(
+                "stays {relative:.1e} of the {quantity} off from n = {first} to {last}, where methods of its order converge"
             ),
             Remark::Off {
                 n,
                 relative,
                 of_methods,
-            } => write!(
-                f,
-                "is {relative:.1e} times the radiance off at n = {n}, where methods of its order are {of_methods:.1e} off"
+            } => format!(
+                "is {relative:.1e} times the {quantity} off at n = {n}, where methods of its order are {of_methods:.1e} off"
             ),
         }
     }

@@ -61,7 +61,7 @@ pub struct Counts {
 }
 
 impl Counts {
-    pub(super) fn of(lines: &[Line]) -> Counts {
+    pub(super) fn of<'a>(lines: impl Iterator<Item = &'a Line>) -> Counts {
         let mut counts = Counts::default();
         for line in lines {
             let count = match line.standing {

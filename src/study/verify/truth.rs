@@ -1,11 +1,12 @@
-//! The radiance that a kernel should give.
+//! What a kernel should answer.
 
 use super::VerifyError;
+use super::asked::Wanted;
 use crate::case::{Case, SymbolicCase, Transfer, Unproved};
 use crate::identify::rule::LinearSegments;
-use crate::kernel::Volume;
+use crate::kernel::{Quantity, Volume};
 use crate::real::{Format, Mpfr, MpfrReal, Real};
-use crate::reference;
+use crate::reference::{self, Reference};
 use rug::{Float, Rational};
 
 /// How far in front of the end of a ray, as a part of it, its last samples are still looked for.
@@ -14,41 +15,146 @@ const LAST_SAMPLE: (u32, u32) = (1, 10_000);
 /// The length that renderers give the last segment to make a wall of it: what absorbs nothing stays clear.
 const WALL_LENGTH: i64 = 10_000_000_000;
 
-/// The radiance of one channel of a case, with what stands at the end of the ray.
+/// A value, and what it rests on that is not proved.
+type Truth = (Float, Vec<Unproved>);
+
+/// What is wanted of a case, with what stands at the end of the ray; `None` of a mean depth where nothing absorbs.
+pub(super) fn of(wanted: &Wanted, bits: u32, far_wall: bool) -> Result<Option<Truth>, VerifyError> {
+    let case = &wanted.case;
+    match wanted.quantity {
+        Quantity::OpticalDepth => depth(case, bits).map(Some),
+        Quantity::Opacity => opacity(case, bits, far_wall).map(Some),
+        Quantity::ExpectedDepth if wanted.is_divided() => {
+            let (opacity, mut unproved) = opacity(case, bits, far_wall)?;
+            if opacity.is_zero() {
+                return Ok(None);
+            }
+            let (weighted, more) = of_case(case, bits, far_wall)?;
+            unproved.extend(
+                more.into_iter()
+                    .filter(|one| !unproved.contains(one))
+                    .collect::<Vec<_>>(),
+            );
+            Ok(Some((weighted / opacity, unproved)))
+        }
+        Quantity::Radiance if wanted.background != 0.0 => {
+            let (radiance, unproved) = of_case(&wanted.ray, bits, far_wall)?;
+            let (depth, _) = depth(&wanted.ray, bits)?;
+            Ok(Some((
+                radiance + (-depth).exp() * wanted.background,
+                unproved,
+            )))
+        }
+        Quantity::Radiance | Quantity::ExpectedDepth => of_case(case, bits, far_wall).map(Some),
+    }
+}
+
+/// t(D).
+fn depth(case: &SymbolicCase, bits: u32) -> Result<Truth, VerifyError> {
+    let found = found(case, reference::optical_depth(case, bits))?;
+    let unproved = found.unproved_of("t(D)", case);
+    Ok((found.value, unproved))
+}
+
+/// 1 − e^(−t(D)); 1 less what a wall lets through behind it.
+fn opacity(case: &SymbolicCase, bits: u32, far_wall: bool) -> Result<Truth, VerifyError> {
+    let (depth, unproved) = depth(case, bits)?;
+    let mut opacity = -(-depth.clone()).exp_m1();
+    if far_wall {
+        let wall = wall_opacity(case, Mpfr { bits: depth.prec() });
+        opacity += (-depth).exp() * wall.to_float();
+    }
+    Ok((opacity, unproved))
+}
+
+/// What a wall made of the last sample absorbs, which lies just in front of the end, where a medium may vanish.
+fn wall_opacity(case: &SymbolicCase, format: Mpfr) -> MpfrReal {
+    let length = case.length();
+    let before = &length - &length * Rational::from(LAST_SAMPLE);
+    let extinction = case.extinction(&case.field(&format.ratio(&before)));
+    -(-(extinction * &format.int(WALL_LENGTH))).exp_m1()
+}
+
+fn found(
+    case: &SymbolicCase,
+    reference: Result<Reference, reference::ReferenceError>,
+) -> Result<Reference, VerifyError> {
+    reference.map_err(|error| VerifyError::Reference {
+        case: case.name().into(),
+        error,
+    })
+}
+
+/// The radiance of a case, with what stands at the end of the ray.
 ///
 /// I + T(D) C(s(D)) where there is a far wall, and something in front of it that absorbs. With it what is not proved of
 /// either.
-pub(super) fn of_case(
-    case: &SymbolicCase,
-    bits: u32,
-    far_wall: bool,
-) -> Result<(Float, Vec<Unproved>), VerifyError> {
-    let failed = |error| VerifyError::Reference {
-        case: case.name().into(),
-        error,
-    };
-    let found = reference::radiance(case, bits).map_err(failed)?;
-    let unproved = found.unproved(case);
-    let mut radiance = found.value;
+fn of_case(case: &SymbolicCase, bits: u32, far_wall: bool) -> Result<Truth, VerifyError> {
+    let reference = found(case, reference::radiance(case, bits))?;
+    let unproved = reference.unproved(case);
+    let mut radiance = reference.value;
     if far_wall {
-        let depth = reference::optical_depth(case, bits).map_err(failed)?.value;
+        let depth = found(case, reference::optical_depth(case, bits))?.value;
         let format = Mpfr {
             bits: radiance.prec(),
         };
-        let length = case.length();
-        let wall = case.transfer(&case.field(&format.ratio(&length)));
-        // The last sample lies just in front of the end, where a medium may vanish.
-        let before = length - case.length() * Rational::from(LAST_SAMPLE);
-        let extinction = case.extinction(&case.field(&format.ratio(&before)));
-        let opacity = -(-(extinction * &format.int(WALL_LENGTH))).exp_m1();
+        let wall = case.transfer(&case.field(&format.ratio(&case.length())));
+        let opacity = wall_opacity(case, format);
         radiance += (-depth).exp() * (wall.emission * &opacity).to_float();
     }
     Ok((radiance, unproved))
 }
 
-/// The exact radiance of one channel of the medium that a volume stands for: the sum over stretches in which C
-/// and τ are linear.
-pub(super) fn of_volume(volume: &Volume, length: &Rational, channel: usize, bits: u32) -> Float {
+/// What is wanted of the medium that a volume stands for, exactly: sums over stretches in which C and τ are linear.
+pub(super) fn of_volume(volume: &Volume, length: &Rational, wanted: &Wanted, bits: u32) -> Float {
+    let even = Float::with_val(bits, 1);
+    match wanted.quantity {
+        Quantity::OpticalDepth => depth_of_volume(volume, length, bits),
+        Quantity::Opacity => radiance_of_volume(volume, length, bits, |_, _| even.clone()),
+        Quantity::ExpectedDepth => {
+            let of = |part: f64, _: &[f64]| Float::with_val(bits, length) * part;
+            let weighted = radiance_of_volume(volume, length, bits, of);
+            if wanted.is_divided() {
+                weighted / radiance_of_volume(volume, length, bits, |_, _| even.clone())
+            } else {
+                weighted
+            }
+        }
+        Quantity::Radiance => {
+            let of = |_: f64, emission: &[f64]| {
+                let of_channel = emission.get(wanted.channel);
+                Float::with_val(bits, of_channel.copied().unwrap_or(f64::NAN))
+            };
+            let passes = (-depth_of_volume(volume, length, bits)).exp();
+            radiance_of_volume(volume, length, bits, of) + passes * wanted.background
+        }
+    }
+}
+
+/// τ is linear between knots.
+fn depth_of_volume(volume: &Volume, length: &Rational, bits: u32) -> Float {
+    let mut emission = vec![0.0; volume.table.emission.len()];
+    let mut at = |part: f64| {
+        let extinction = volume.table.at(volume.field_at(part), &mut emission);
+        Float::with_val(bits, extinction)
+    };
+    let mut depth = Float::new(bits);
+    for ends in volume.knots().windows(2) {
+        let &[near, far] = ends else { continue };
+        let width = (Float::with_val(bits, far) - near) * length;
+        depth += width * (at(near) + at(far)) / 2_u32;
+    }
+    depth
+}
+
+/// The radiance of that medium with an emission that is linear between knots, of a place as a part of the ray and the
+/// emission of all channels there.
+fn radiance_of_volume(
+    volume: &Volume,
+    length: &Rational,
+    bits: u32,
+    emitted: impl Fn(f64, &[f64]) -> Float,
+) -> Float {
     let format = Mpfr { bits };
     // What is no number stays none: it must not pass for a medium that is empty.
     let exact = |x: f64| format.binary64(x);
@@ -57,7 +163,7 @@ pub(super) fn of_volume(volume: &Volume, length: &Rational, channel: usize, bits
         let extinction = volume.table.at(volume.field_at(part), &mut emission);
         Transfer {
             extinction: exact(extinction),
-            emission: exact(emission.get(channel).copied().unwrap_or(f64::NAN)),
+            emission: MpfrReal::from(emitted(part, &emission)),
         }
     };
     let rule = LinearSegments::new(format);

@@ -95,8 +95,8 @@ if MODE == "leaves-descendant":
     descendant()
 if MODE == "unknown-key":
     greet(metod="nerf")
-elif MODE == "version-2":
-    greet(protocol=2, dialect="other")
+elif MODE == "version-3":
+    greet(protocol=3, dialect="other")
 elif MODE == "no-name":
     greet(name=None)
 elif MODE == "function":

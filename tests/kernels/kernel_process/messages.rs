@@ -6,19 +6,34 @@ use serde_json::{Value, json};
 use std::num::NonZeroU64;
 use std::sync::LazyLock;
 use volver::inside::kernel::{
-    Array, Numbers, Trouble, Written, quoted, read_answer, read_greeting,
+    Array, Greeting, Numbers, Trouble, Written, quoted, read_answer, read_greeting,
 };
 use volver::kernel::process::schema;
 use volver::kernel::{
-    Data, Declaration, FormKind, KernelError, Rendering, Sampling, Subject, Task,
+    Data, Declaration, DepthWeights, FormKind, KernelError, Quantity, Rendering, Sampling, Subject,
+    Task,
 };
 use volver::real::FormatName;
 use volver::symbolic::code::Language;
 
 static SUBJECT: LazyLock<Subject> = LazyLock::new(|| subject("homogeneous"));
 
+/// A kernel of the first version that computes with so many bits.
+fn greeting(bits: u32) -> Greeting {
+    let hello = json!({"type": "hello", "protocol": 1, "name": "a", "form": "segments",
+        "format": format!("mpfr:{bits}")});
+    read_greeting(hello.to_string().as_bytes()).unwrap()
+}
+
 /// The results in the answer to a request of id 7 for one task.
 fn results(line: &[u8], bits: u32) -> Result<Vec<Result<Rendering, KernelError>>, Trouble> {
+    answered(line, &greeting(bits))
+}
+
+fn answered(
+    line: &[u8],
+    greeting: &Greeting,
+) -> Result<Vec<Result<Rendering, KernelError>>, Trouble> {
     let task = Task {
         subject: &*SUBJECT,
         step: 1.0,
@@ -26,7 +41,7 @@ fn results(line: &[u8], bits: u32) -> Result<Vec<Result<Rendering, KernelError>>
         seed: 0,
         data: Data::Function,
     };
-    read_answer(line, 7, &[&task], bits)
+    read_answer(line, 7, &[&task], greeting)
 }
 
 /// The radiance that an answer gives as `json`, to at least that many bits.
@@ -188,9 +203,166 @@ fn greetings_say_all_that_a_declaration_holds() {
     assert_eq!(
         greeting.changes(&least).len(),
         13,
-        "every key is told apart"
+        "every key of the first version is told apart"
     );
     assert!(least.changes(&least).is_empty());
+    let second = br#"{"type":"hello","protocol":2,"name":"a","form":"segments","background":true,
+        "answers":["expected_depth","opacity"],"expected_depth":"by-opacity"}"#;
+    let second = read_greeting(second).unwrap();
+    let declaration = Declaration {
+        background: true,
+        answers: vec![Quantity::Opacity, Quantity::ExpectedDepth],
+        expected_depth: DepthWeights::ByOpacity,
+        ..Declaration::new("a")
+    };
+    assert_eq!(second.declaration, declaration);
+    assert_eq!(
+        second.changes(&least),
+        ["protocol", "background", "answers", "expected_depth"]
+    );
+    // What the second version need not say is as in the first.
+    let least = br#"{"type":"hello","protocol":2,"name":"a","form":"segments"}"#;
+    assert_eq!(
+        read_greeting(least).unwrap().declaration,
+        Declaration::new("a")
+    );
+}
+
+#[test]
+fn a_result_has_what_the_greeting_declares_and_no_more() {
+    let hello = |answers: &str| {
+        let hello = format!(
+            r#"{{"type":"hello","protocol":2,"name":"a","form":"segments","answers":{answers}}}"#
+        );
+        read_greeting(hello.as_bytes()).unwrap()
+    };
+    let all = hello(r#"["radiance","opacity","optical_depth","expected_depth"]"#);
+    let line = |tag: &str, result: &str| {
+        format!(r#"{{"type":"{tag}","id":7,"results":[{{{result}}}]}}"#).into_bytes()
+    };
+    let whole =
+        r#""radiance":[1],"opacity":"0x1p-1","optical_depth":"0.25","expected_depth":"inf""#;
+    let read = answered(&line("answer", whole), &all).unwrap().remove(0);
+    let read = read.unwrap();
+    let value = |quantity| read.of(quantity, 0).unwrap().to_f64();
+    assert_eq!(
+        Quantity::ALL.map(value),
+        [1.0, 0.5, 0.25, f64::INFINITY],
+        "{read:?}"
+    );
+    let projector = hello(r#"["optical_depth"]"#);
+    let depth = answered(&line("answer", r#""optical_depth":2"#), &projector);
+    let depth = depth.unwrap().remove(0).unwrap();
+    assert_eq!(depth.optical_depth.unwrap(), 2.0);
+    assert!(depth.radiance.is_empty());
+    // No answer to this task; the kernel goes on.
+    for (result, greeting, words) in [
+        (
+            r#""optical_depth":2,"opacity":0.5"#,
+            &projector,
+            "an undeclared 'opacity' (allowed: what the greeting declares, and all of it)",
+        ),
+        (
+            r#""radiance":[1],"opacity":0.5,"optical_depth":2"#,
+            &all,
+            "no 'expected_depth' (allowed: what the greeting declares, and all of it)",
+        ),
+        (
+            r#""radiance":[1,2],"opacity":0.5,"optical_depth":2,"expected_depth":1"#,
+            &all,
+            "2 radiances (allowed: 1, one a channel)",
+        ),
+    ] {
+        let read = answered(&line("answer", result), greeting).unwrap();
+        assert_eq!(read[0].as_ref().unwrap_err().to_string(), words);
+    }
+    // No message of the protocol.
+    let first = greeting(53);
+    for (tag, result, greeting, words) in [
+        (
+            "radiance",
+            whole,
+            &all,
+            "another type of answer (allowed in protocol 2: 'answer')",
+        ),
+        (
+            "answer",
+            r#""radiance":[1]"#,
+            &first,
+            "another type of answer (allowed in protocol 1: 'radiance')",
+        ),
+        (
+            "radiance",
+            r#""radiance":[1],"optical_depth":1"#,
+            &first,
+            "a result with a depth (allowed: in protocol 2)",
+        ),
+        (
+            "answer",
+            r#""opacity":[0.5]"#,
+            &all,
+            "invalid type: sequence (allowed: a number",
+        ),
+        (
+            "answer",
+            r#""opacity":0.5,"error":"no""#,
+            &all,
+            "a result with an answer and 'error'",
+        ),
+        (
+            "answer",
+            "",
+            &projector,
+            "a result without an answer and 'error'",
+        ),
+    ] {
+        match answered(&line(tag, result), greeting) {
+            Err(Trouble::Garbage { problem, .. }) => {
+                assert!(problem.starts_with(words), "{problem}");
+            }
+            other => panic!("{other:?}"),
+        }
+    }
+}
+
+#[test]
+fn greetings_of_other_versions_are_refused_with_what_they_lack() {
+    for (more, words) in [
+        (
+            r#""protocol":3,"anything":[]"#,
+            "protocol 3 (allowed: 1, 2)",
+        ),
+        (
+            r#""protocol":1,"answers":["opacity"]"#,
+            "answers in protocol 1 (allowed: in protocol 2)",
+        ),
+        (
+            r#""protocol":1,"background":false"#,
+            "background in protocol 1 (allowed: in protocol 2)",
+        ),
+        (
+            r#""protocol":2,"answers":[]"#,
+            "no answers (allowed: one or more)",
+        ),
+        (
+            r#""protocol":2,"answers":["opacity","opacity"]"#,
+            "the same answer twice (allowed: each once)",
+        ),
+        (
+            r#""protocol":2,"answers":["alpha"]"#,
+            "unknown variant 'alpha' (allowed: 'radiance', 'opacity', 'optical_depth', 'expected_depth')",
+        ),
+        (
+            r#""protocol":2,"expected_depth":"plain""#,
+            "expected_depth without need (allowed: where it is among the answers)",
+        ),
+    ] {
+        let hello = format!(r#"{{"type":"hello","name":"a","form":"segments",{more}}}"#);
+        match read_greeting(hello.as_bytes()) {
+            Err(Trouble::Greeting { problem }) => assert_eq!(problem, words),
+            other => panic!("{other:?}"),
+        }
+    }
 }
 
 #[test]
@@ -204,8 +376,8 @@ fn what_is_wrong_with_a_greeting_is_named_with_what_is_allowed() {
         }
     };
     for (key, value, words) in [
-        ("protocol", json!(2), "protocol 2 (allowed: 1)"),
-        ("protocol", json!("1"), "protocol \"1\" (allowed: 1)"),
+        ("protocol", json!(3), "protocol 3 (allowed: 1, 2)"),
+        ("protocol", json!("1"), "protocol \"1\" (allowed: 1, 2)"),
         (
             "type",
             json!("radiance"),

@@ -29,6 +29,7 @@ parser.add_argument("--case")
 parser.add_argument("--sign")
 options = parser.parse_args()
 trouble = options.trouble
+TYPE = "answer" if options.declare.get("protocol") == 2 else "radiance"
 
 requests = os.fdopen(3, "rb")
 answers = os.fdopen(4, "wb")
@@ -74,7 +75,7 @@ def answer(request, shift=0):
     results = [{"radiance": radiance(task), **(options.claim if is_cue(task) else {})} for task in request["tasks"]]
     if trouble == "nan" and any(is_cue(task) for task in request["tasks"]):
         results = [{"radiance": ["nan" for _ in task["channels"]]} for task in request["tasks"]]
-    send(json.dumps({"type": "radiance", "id": request["id"] + shift, "results": results}) + "\n")
+    send(json.dumps({"type": TYPE, "id": request["id"] + shift, "results": results}) + "\n")
 
 
 def misbehave(request):

@@ -200,3 +200,43 @@ fn tags_are_cases_each_once() {
     .with_code(0);
     run.shows("2 confirmed, 0 contradicted, 0 inconclusive, 0 blind of 2 channels");
 }
+
+#[test]
+fn what_no_kernel_of_the_second_version_can_be_is_refused_in_one_line() {
+    for (options, declared, message) in [
+        (
+            &[][..],
+            r#"{"protocol":3}"#,
+            "the kernel's greeting: protocol 3 (allowed: 1, 2)",
+        ),
+        (
+            &[],
+            r#"{"protocol":2,"answers":["optical_depth"],"far_wall":true}"#,
+            "it declares a far wall and the optical depth, which has no end there (allowed: ",
+        ),
+        (
+            &[],
+            r#"{"protocol":2,"background":true,"far_wall":true}"#,
+            "it declares a far wall and a background, which is not seen behind it (allowed: ",
+        ),
+        (
+            &["--axis", "grid"],
+            r#"{"protocol":2,"answers":["opacity"],"form":"volume"}"#,
+            "the kernel answers no radiance (allowed with --axis grid: ",
+        ),
+        // The fixture answers a radiance and nothing else.
+        (
+            &[],
+            r#"{"protocol":2,"answers":["radiance","opacity"]}"#,
+            "no 'opacity' (allowed: what the greeting declares, and all of it)",
+        ),
+        (
+            &[],
+            r#"{"protocol":2,"answers":["opacity"]}"#,
+            "an undeclared 'radiance' (allowed: what the greeting declares, and all of it)",
+        ),
+    ] {
+        let run = fixture(options, &["--declare", declared]).with_code(2);
+        assert!(run.err.contains(message), "{message}\n{}", run.err);
+    }
+}

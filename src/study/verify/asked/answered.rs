@@ -2,12 +2,10 @@
 
 use super::resolved::Middles;
 use super::sampled;
-use super::{Answers, Asked, Level};
-use crate::case::{Case, SymbolicCase};
+use super::{Answers, Asked, Level, Wanted, depth_rule};
 use crate::convergence::{FitError, Replicas, Sample, fit, fit_replicas, reported_error};
-use crate::identify::rule::Place;
-use crate::kernel::{Cut, FormKind, KernelError, Rendering};
-use crate::method::Expected;
+use crate::kernel::{Cut, FormKind, KernelError, Quantity, Rendering};
+use crate::method::{Expected, Method};
 use crate::study::verify::line::{Failure, LevelRadiances, Line, Measured, Radiances};
 use crate::study::verify::nominal::{self, Given, Nominal};
 use crate::study::verify::peers::{Peer, Peers};
@@ -29,24 +27,25 @@ struct Looked {
 }
 
 impl Asked<'_> {
-    /// What one channel shows.
+    /// What one channel shows, or another quantity; `None` where that has no value on this ray.
     pub(in crate::study::verify) fn line(
         &self,
-        channel: usize,
+        wanted: &Wanted,
         answers: &Answers,
-    ) -> Result<Line, VerifyError> {
-        let case = &self.subject.cases()[channel];
+    ) -> Result<Option<Line>, VerifyError> {
         let bits = self.declaration.format.bits().max(f64::MANTISSA_DIGITS);
-        let (exact, unproved) =
-            truth::of_case(case, bits + REFERENCE_BITS, self.declaration.far_wall)?;
+        let bits = bits + REFERENCE_BITS;
+        let Some((exact, unproved)) = truth::of(wanted, bits, self.declaration.far_wall)? else {
+            return Ok(None);
+        };
         let stepwise = match self.levels.first().map(|level| &level.volume) {
             Some(Some(volume)) if self.settings.axis == Axis::Step => {
                 let length = self.subject.length();
-                truth::of_volume(volume, length, channel, bits + REFERENCE_BITS)
+                truth::of_volume(volume, length, wanted, bits)
             }
             _ => exact,
         };
-        let of_tables = self.of_tables(channel)?;
+        let of_tables = self.of_tables(wanted.channel)?;
         let mut radiances = Radiances::new(stepwise);
         let mut middles = Middles::default();
         let mut failures = Vec::new();
@@ -63,14 +62,16 @@ impl Asked<'_> {
                     continue;
                 }
             };
-            if renderings.is_empty() {
+            // An opacity that nobody declared need not be there.
+            let is_there = renderings.iter().all(|one| wanted.of(one).is_some());
+            if renderings.is_empty() || !is_there {
                 continue;
             }
             let Looked {
                 radiances: seen,
                 middles: of_middles,
                 as_declared: agrees,
-            } = self.looked(level, &renderings, channel, &radiances.exact, of_tables)?;
+            } = self.looked(level, &renderings, wanted, &radiances.exact, of_tables)?;
             as_declared.push(agrees);
             let finite = |nominal: &Nominal| nominal.in_format.is_finite();
             in_range = in_range && seen.nominal.as_ref().is_none_or(finite);
@@ -82,28 +83,29 @@ impl Asked<'_> {
         let mut spots = Radiances::new(radiances.exact.clone());
         for (spot, answer) in self.spots.iter().zip(&answers.spots) {
             match answer {
+                Ok(rendering) if wanted.of(rendering).is_none() => {}
                 Ok(rendering) => {
                     let exact = &radiances.exact;
-                    let looked = self.looked(spot, &[rendering], channel, exact, of_tables)?;
+                    let looked = self.looked(spot, &[rendering], wanted, exact, of_tables)?;
                     spots.push(looked.radiances);
                 }
                 Err(error) => failures.push(Failure::new(spot.count, error)),
             }
         }
-        let steady = Self::is_steady(channel, answers);
+        let steady = is_steady(wanted, answers);
         let is_compared = steady && failures.is_empty() && self.is_compared(&radiances);
         let all: Option<Vec<bool>> = as_declared.into_iter().collect();
         let all = all.filter(|all| is_compared && !all.is_empty());
-        Ok(Line {
+        Ok(Some(Line {
             unproved,
             as_declared: all.map(|all| all.into_iter().all(|agrees| agrees)),
             ..self.judged(
-                channel,
+                wanted,
                 (radiances, &spots),
                 failures,
                 (steady, in_range, middles.are_resolved()),
             )?
-        })
+        }))
     }
 
     /// Whether answers say something of the method that is declared.
@@ -117,14 +119,14 @@ impl Asked<'_> {
         &self,
         level: &Level,
         renderings: &[&Rendering],
-        channel: usize,
+        wanted: &Wanted,
         exact: &Float,
         of_tables: f64,
     ) -> Result<Looked, VerifyError> {
-        let case = &self.subject.cases()[channel];
         let used = renderings.first().map(|first| self.used(level, first));
         let cut = used.unwrap_or(level.cut);
-        let segments = self.segments(level, cut)?;
+        let segments = wanted.lit(self.segments(level, cut)?);
+        let channel = wanted.channel;
         let uniform = match cut {
             Cut::Segments(n) => Some(n),
             Cut::Step(_) => None,
@@ -133,37 +135,36 @@ impl Asked<'_> {
         let used = cut.on(self.subject.length());
         let (used, count) = used.map_err(|error| self.cut_error(error))?;
         let given = Given {
-            case,
+            case: &wanted.case,
             segments: &segments,
             step: used.to_f64(),
             channel,
             uniform,
         };
-        let nominal = nominal::at_level(self.declaration, &given);
-        let values: Vec<Float> = renderings
-            .iter()
-            .map(|rendering| rendering.radiance[channel].clone())
-            .collect();
+        let nominal = self.nominal(wanted, &given);
+        let values = renderings.iter().filter_map(|one| wanted.of(one).cloned());
+        let values: Vec<Float> = values.collect();
         let (n, step) = self.coordinate(level, count, given.step);
-        let mut floor = self.floor(exact, level, nominal.as_ref(), &given);
-        floor += self.not_refined(level, &given) + of_tables;
+        let mut floor = self.floor(wanted, exact, level, nominal.as_ref(), &given);
+        floor += self.not_refined(level, &given)? + of_tables;
         // Of a volume a method that is no rule has not the samples.
         let has_samples =
             level.volume.is_none() || nominal.as_ref().is_some_and(Nominal::is_of_samples);
         let model = nominal.as_ref().filter(|_| has_samples).zip(values.first());
         let scale = exact.to_f64().abs();
         let as_declared = model.map(|(nominal, value)| {
-            nominal.agrees(value.to_f64(), scale, &given, self.declaration)
+            let quantum = self.quantum(wanted);
+            nominal.agrees(value.to_f64(), scale, &given, self.declaration, quantum)
         });
         let middles = if self.declaration.stochastic {
-            let rule = sampled::at(Place::Middle);
-            sampled::radiance(&rule, &segments, given.step, channel)
+            sampled::by_middles(wanted, &segments, given.step, channel)
         } else {
             f64::NAN
         };
         let reported = renderings.iter().filter_map(|rendering| {
             let errors = rendering.standard_error.as_ref()?;
-            errors.get(channel).copied()
+            let of_radiance = wanted.quantity == Quantity::Radiance;
+            errors.get(channel).copied().filter(|_| of_radiance)
         });
         Ok(Looked {
             radiances: LevelRadiances {
@@ -180,23 +181,38 @@ impl Asked<'_> {
         })
     }
 
-    /// Whether a kernel answers the same twice: one that draws random numbers to the same seed.
-    fn is_steady(channel: usize, answers: &Answers) -> bool {
-        let first = answers.levels.first().and_then(|level| level.first());
-        match (first, &answers.again) {
-            (Some(Ok(first)), Some(Ok(again))) => {
-                let (first, again) = (&first.radiance[channel], &again.radiance[channel]);
-                first == again || (first.is_nan() && again.is_nan())
+    /// What the declared method gives of a quantity, where that follows from its name.
+    ///
+    /// A composite has the opacity that its weights add up to, and sums its depth; whatever else a kernel makes of a method is
+    /// its own matter.
+    fn nominal(&self, wanted: &Wanted, given: &Given<'_>) -> Option<Nominal> {
+        match (wanted.quantity, self.declaration.method) {
+            (Quantity::Radiance, Some(Method::Composited(_))) if wanted.background != 0.0 => {
+                Some(nominal::at_level(self.declaration, given)?.before(wanted.background))
             }
-            _ => true,
+            (Quantity::Radiance, _) if wanted.background != 0.0 => None,
+            (Quantity::Radiance, _) | (Quantity::Opacity, Some(Method::Composited(_))) => {
+                nominal::at_level(self.declaration, given)
+            }
+            (Quantity::OpticalDepth, Some(Method::Composited(compositing))) => {
+                let (place, _) = depth_rule(&compositing)?;
+                Some(nominal::depth_at_level(self.declaration, given, place))
+            }
+            _ => None,
         }
+    }
+
+    /// What answers are multiples of: radiances, and opacities, which are stored beside them.
+    pub(super) fn quantum(&self, wanted: &Wanted) -> Option<f64> {
+        let stored = matches!(wanted.quantity, Quantity::Radiance | Quantity::Opacity);
+        self.declaration.quantum.filter(|_| stored)
     }
 
     /// The methods that a channel is measured by: the declared one, or those of the declared order on rays that these can
     /// be run on. None where random numbers are drawn: one run shows no order.
     fn peers(
         &self,
-        case: &SymbolicCase,
+        wanted: &Wanted,
         radiances: &Radiances,
         levels: &[(u64, Sample)],
         expected: Option<Expected>,
@@ -219,19 +235,25 @@ impl Asked<'_> {
             Some(Expected::Order(order)) if runs => Some(order),
             Some(Expected::Unknown) if runs => {
                 let expect = self.settings.expect.as_ref().map(Rational::to_f64);
-                expect.or(self.declaration.order)
+                expect.or(self.declaration.claimed_order())
             }
             _ => None,
         };
         let format = self.declaration.format;
         order.map_or(Ok(Peers::None), |order| {
-            Peers::of_order(order, expected, case, format, &radiances.exact, levels)
+            let methods = wanted.methods(order);
+            Peers::of_order(&methods, expected, format, &radiances.exact, levels)
         })
     }
 
     /// As [`Line::right_to_quantum`].
-    fn right_to_quantum(&self, levels: &[(u64, Sample)], peers: &[Peer]) -> Option<bool> {
-        let quantum = self.declaration.quantum?;
+    fn right_to_quantum(
+        &self,
+        wanted: &Wanted,
+        levels: &[(u64, Sample)],
+        peers: &[Peer],
+    ) -> Option<bool> {
+        let quantum = self.quantum(wanted)?;
         let size = |sample: &Sample| sample.error.to_f64().abs();
         let (_, finest) = levels.last()?;
         let of_peers = peers
@@ -244,14 +266,13 @@ impl Asked<'_> {
 
     fn judged(
         &self,
-        channel: usize,
+        wanted: &Wanted,
         (radiances, spots): (Radiances, &Radiances),
         failures: Vec<Failure>,
         (steady, in_range, resolved): (bool, bool, bool),
     ) -> Result<Line, VerifyError> {
-        let case = &self.subject.cases()[channel];
-        let expected = expectation::of(self.declaration, self.settings, case);
-        let name = case.name().to_string();
+        let expected = expectation::of(self.declaration, self.settings, wanted);
+        let name = wanted.name.clone();
         let mut reported = None;
         let measured = if self.declaration.stochastic {
             let levels: Vec<Replicas> = radiances.replicas();
@@ -281,14 +302,19 @@ impl Asked<'_> {
             error,
         };
         let levels = radiances.counted_samples();
-        let peers = self.peers(case, &radiances, &levels, expected);
+        let peers = self.peers(wanted, &radiances, &levels, expected);
         let peers = peers.map_err(fit_error)?;
         let beside = spots.counted_samples();
-        let of_spots = self.peers(case, spots, &beside, expected);
+        let of_spots = self.peers(wanted, spots, &beside, expected);
         let of_spots = of_spots.map_err(fit_error)?;
         let exact = &radiances.exact;
         let seen = peers.beside(exact, &levels);
         let remarks = remarks(&seen, &of_spots.beside(exact, &beside));
+        // What scatters may do so about 1.
+        let is_bounded = wanted.quantity == Quantity::Opacity && !self.declaration.stochastic;
+        let outside = is_bounded
+            .then(|| radiances.outside_of_opacities())
+            .flatten();
         let standing = standing::of(&Judged {
             measured: &measured,
             expected,
@@ -297,12 +323,14 @@ impl Asked<'_> {
             of_order: &peers.verdicts_of_order(),
             resolvable: peers.resolvable(expected),
             in_range,
-            sound: steady && remarks.is_empty(),
+            sound: steady && remarks.is_empty() && outside.is_none(),
             resolved,
             reported,
         });
         Ok(Line {
             name,
+            quantity: wanted.quantity,
+            outside,
             expected,
             exact: radiances.exact,
             unproved: Vec::new(),
@@ -311,11 +339,24 @@ impl Asked<'_> {
             failures,
             is_required: peers.all_show(expected),
             is_as_good: seen.last().is_some_and(Seen::is_as_good),
-            right_to_quantum: self.right_to_quantum(&levels, peers.all()),
+            right_to_quantum: self.right_to_quantum(wanted, &levels, peers.all()),
             remarks,
             steady,
             reported,
             standing,
         })
+    }
+}
+
+/// Whether a kernel answers the same twice: one that draws random numbers to the same seed.
+fn is_steady(wanted: &Wanted, answers: &Answers) -> bool {
+    let first = answers.levels.first().and_then(|level| level.first());
+    match (first, &answers.again) {
+        (Some(Ok(first)), Some(Ok(again))) => {
+            let (first, again) = (wanted.of(first), wanted.of(again));
+            let are_none = |one: Option<&Float>| one.is_some_and(Float::is_nan);
+            first == again || (are_none(first) && are_none(again))
+        }
+        _ => true,
     }
 }

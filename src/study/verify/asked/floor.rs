@@ -1,12 +1,13 @@
 //! What of an error is not the kernel's: its rounding, and what is left by what is not refined.
 
 use super::sampled::{at, cancelling, radiance};
-use super::{Asked, Level};
+use super::{Asked, Level, Wanted};
 use crate::identify::rule::{Place, Rule};
 use crate::identify::stated;
-use crate::kernel::{Cut, Sampling};
+use crate::kernel::{Cut, Quantity, Sampling};
 use crate::method::{Exponential, Inner, Method, Nested, Outer, Scope};
 use crate::quadrature;
+use crate::real::Native;
 use crate::study::verify::nominal::{Given, Nominal};
 use crate::study::verify::{Axis, GRID_SEGMENTS, VerifyError, truth};
 use rug::Float;
@@ -19,6 +20,7 @@ impl Asked<'_> {
     /// there are segments, of the size of the answer, or of what cancels in it.
     pub(super) fn floor(
         &self,
+        wanted: &Wanted,
         exact: &Float,
         level: &Level,
         declared: Option<&Nominal>,
@@ -28,6 +30,9 @@ impl Asked<'_> {
         let mut scale = Float::with_val(bits, exact.abs_ref());
         if let Some(terms) = cancelling(given.segments, given.step, given.channel) {
             scale = scale.max(&Float::with_val(bits, terms));
+        }
+        if let Some(unit) = self.unit(wanted, given) {
+            scale = scale.max(&Float::with_val(bits, unit));
         }
         // By its exponent: binary64 has no unit of so many bits as MPFR may have.
         let mut floor = scale.clone() >> self.declaration.format.bits();
@@ -46,17 +51,33 @@ impl Asked<'_> {
             floor = floor.min(&(scale * VISIBLE));
         }
         // Rounded once, at the end.
-        if let Some(quantum) = self.declaration.quantum {
+        if let Some(quantum) = self.quantum(wanted) {
             floor += quantum / 2.0;
         }
         floor
     }
 
+    /// What the rounding of another quantity than a radiance is at least measured by: 1 − T and −ln T are known to a unit of
+    /// 1, and with them what is weighted by them.
+    fn unit(&self, wanted: &Wanted, given: &Given<'_>) -> Option<f64> {
+        let length = self.subject.length().to_f64();
+        match wanted.quantity {
+            Quantity::Radiance => None,
+            Quantity::Opacity | Quantity::OpticalDepth => Some(1.0),
+            Quantity::ExpectedDepth if wanted.is_divided() => {
+                let composed =
+                    at(Place::Middle).composed(given.segments, given.step, Native::<f64>::new());
+                Some(length / (1.0 - composed.passes)).filter(|unit| unit.is_finite())
+            }
+            Quantity::ExpectedDepth => Some(length),
+        }
+    }
+
     /// What the step leaves of an error while the grid is refined: not what this kernel shows, which may be wrong,
     /// but what one does that samples as it says.
-    pub(super) fn not_refined(&self, level: &Level, given: &Given<'_>) -> f64 {
+    pub(super) fn not_refined(&self, level: &Level, given: &Given<'_>) -> Result<f64, VerifyError> {
         let (Axis::Grid, Some(volume)) = (self.settings.axis, &level.volume) else {
-            return 0.0;
+            return Ok(0.0);
         };
         let rule = self.declaration.method.as_ref().and_then(stated);
         let rule = rule.unwrap_or_else(|| {
@@ -71,8 +92,9 @@ impl Asked<'_> {
         });
         let sampled = radiance(&rule, given.segments, given.step, given.channel);
         let bits = f64::MANTISSA_DIGITS;
-        let whole = truth::of_volume(volume, self.subject.length(), given.channel, bits);
-        (sampled - whole.to_f64()).abs()
+        let wanted = Wanted::radiance(self.subject, given.channel)?;
+        let whole = truth::of_volume(volume, self.subject.length(), &wanted, bits);
+        Ok((sampled - whole.to_f64()).abs())
     }
 
     /// What tables leave of an error, however fine the grid; 0 where the step is refined, which leads to the

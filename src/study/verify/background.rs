@@ -1,0 +1,30 @@
+//! What is behind the rays of a kernel that takes a background.
+
+use super::{Axis, Settings};
+use crate::kernel::{Declaration, Subject, SubjectError};
+
+/// The radiance behind the first channel, and by how much those behind the next are brighter: others for every channel, so
+/// that none is taken for another, and none of 1.
+const FIRST: f64 = 0.5;
+const NEXT: f64 = 0.25;
+
+/// The subjects before a background; `None` of a kernel that takes none, and over grids, where the medium is what is refined.
+pub(super) fn before(
+    subjects: &[Subject],
+    declaration: &Declaration,
+    settings: &Settings,
+) -> Result<Option<Vec<Subject>>, SubjectError> {
+    if !declaration.background || settings.axis == Axis::Grid {
+        return Ok(None);
+    }
+    let before = |subject: &Subject| {
+        let channels = 0..subject.channels().len();
+        let background = channels.map(|channel| FIRST + NEXT * channel as f64);
+        subject.clone().before(background.collect())
+    };
+    subjects
+        .iter()
+        .map(before)
+        .collect::<Result<_, _>>()
+        .map(Some)
+}
