@@ -1,5 +1,6 @@
 //! What a kernel says of itself.
 
+use super::GradientAt;
 use super::{DepthWeights, FormKind, Quantity};
 use crate::method::{Expected, Method, Position};
 use crate::real::FormatName;
@@ -17,6 +18,8 @@ pub struct Declaration {
     pub name: String,
     /// What it is to be given.
     pub form: FormKind,
+    /// By which values it differentiates, where it does.
+    pub gradient: Option<GradientAt>,
     /// The method of this crate that it means to be, if there is one: then the order expected on every case
     /// follows from theory, and the values themselves are compared.
     pub method: Option<Method>,
@@ -54,6 +57,7 @@ impl Declaration {
         Declaration {
             name: name.into(),
             form: FormKind::Segments,
+            gradient: None,
             method: None,
             order: None,
             format: FormatName::F64,

@@ -101,6 +101,27 @@ pub enum KernelError {
         /// Whether it is there.
         given: bool,
     },
+    /// It does not differentiate.
+    #[error(
+        "no gradient is declared (allowed: \"gradient\": \"middles\" or \"edges\" in the greeting)"
+    )]
+    NoGradient,
+    /// A gradient of another shape than the values.
+    #[error("a gradient with {got} numbers of {what} (allowed: {wanted})")]
+    Gradient {
+        /// `extinction`, `emission`, `channels of emission`.
+        what: &'static str,
+        /// How many came.
+        got: usize,
+        /// How many values there are.
+        wanted: usize,
+    },
+    /// A gradient that was asked for is missing, or one that was not is there.
+    #[error("{} 'gradient' (allowed: where the task has cotangents)", if *given { "an unasked" } else { "no" })]
+    GradientAsked {
+        /// Whether it is there.
+        given: bool,
+    },
     /// What it says it used is not possible.
     #[error(
         "a {what} of {value} really used (allowed: above 0, whole for a number, and up to {MAX_TASK_SEGMENTS} segments)"

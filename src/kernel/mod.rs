@@ -17,6 +17,7 @@ mod closure;
 mod cut;
 mod declaration;
 mod error;
+mod gradient;
 mod gridded;
 pub mod library;
 mod made_up;
@@ -34,6 +35,7 @@ pub use closure::Closure;
 pub use cut::{Cut, CutError, MAX_TASK_SEGMENTS};
 pub use declaration::{Declaration, DeclarationError, Sampling};
 pub use error::KernelError;
+pub use gradient::{Gradient, GradientAt};
 pub use gridded::Gridded;
 pub use medium::Medium;
 pub use quantity::{DepthWeights, Quantity};
@@ -58,6 +60,19 @@ pub trait Kernel: Debug + Send {
     /// The radiances of several tasks, in their order; kernels outside the process save round trips.
     fn render_all(&mut self, tasks: &[Task<'_>]) -> Vec<Result<Rendering, KernelError>> {
         tasks.iter().map(|task| self.render(task)).collect()
+    }
+
+    /// The same with the gradient of Σₖ aₖ Iₖ by the numbers of the task, aₖ being the cotangents, one a channel.
+    ///
+    /// # Errors
+    /// [`KernelError::NoGradient`] of a kernel that declares none; else as [`Kernel::render`].
+    fn gradient(
+        &mut self,
+        task: &Task<'_>,
+        cotangents: &[f64],
+    ) -> Result<(Rendering, Gradient), KernelError> {
+        let _ = (task, cotangents);
+        Err(KernelError::NoGradient)
     }
 
     /// Forgets failures: what is asked next has nothing to do with what was asked before. One that was given up

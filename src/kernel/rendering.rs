@@ -1,6 +1,6 @@
 //! What a kernel returns.
 
-use super::Quantity;
+use super::{Gradient, Quantity};
 use rug::Float;
 
 /// The answer to a task.
@@ -15,6 +15,8 @@ pub struct Rendering {
     pub optical_depth: Option<Float>,
     /// The mean of λ with the weights of the samples, where the kernel tells; divided as its declaration says.
     pub expected_depth: Option<Float>,
+    /// Of Σₖ aₖ Iₖ, where the task has cotangents a.
+    pub gradient: Option<Gradient>,
     /// The step d really used, where it is not the one asked for.
     pub step: Option<f64>,
     /// The number of segments really used, where it is not the one asked for.

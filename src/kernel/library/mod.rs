@@ -91,6 +91,7 @@ impl Kernel for LibraryKernel {
             opacity: Some(&answer.opacity).filter(is_told).map(float),
             optical_depth: of(Quantity::OpticalDepth, &answer.optical_depth),
             expected_depth: of(Quantity::ExpectedDepth, &answer.expected_depth),
+            gradient: None,
             step: Some(answer.step).filter(|step| *step > 0.0),
             segments: Some(answer.segments).filter(|segments| *segments > 0),
             standard_error: Some(answer.standard_error).filter(|errors| told(errors)),

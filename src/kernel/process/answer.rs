@@ -6,13 +6,13 @@ use super::greeting::Greeting;
 use super::message::{Answer, AnswerTag, Outcome};
 use super::number::Number;
 use super::trouble::{Trouble, said};
-use crate::kernel::{KernelError, Quantity, Rendering, Task};
+use crate::kernel::{Gradient, KernelError, Quantity, Rendering, Task};
 use serde_json::error::Category;
 
 /// One result a task.
 type Results = Vec<Result<Rendering, KernelError>>;
 
-/// The results of the tasks, whose request has that id, of a kernel that greeted so.
+/// The results of the tasks, whose request has that id, of a kernel that greeted so; with a `gradient` each, or without.
 ///
 /// # Errors
 /// [`Trouble`] where the line is no answer to that request.
@@ -21,6 +21,7 @@ pub fn read(
     id: u64,
     tasks: &[&Task<'_>],
     greeting: &Greeting,
+    gradient: bool,
 ) -> Result<Results, Trouble> {
     let answer: Answer = serde_json::from_slice(line)
         .or_else(|error| match quoted(line) {
@@ -59,8 +60,7 @@ pub fn read(
     let results = answer.results.into_iter().zip(tasks);
     results
         .map(|(outcome, task)| {
-            let channels = task.subject.channels().len();
-            rendering(outcome, channels, greeting)
+            rendering(outcome, task, greeting, gradient)
                 .map_err(|problem| Trouble::garbage(problem, line))
         })
         .collect()
@@ -69,8 +69,9 @@ pub fn read(
 /// An answer that is one, or what is wrong with it.
 fn rendering(
     outcome: Outcome,
-    channels: usize,
+    task: &Task<'_>,
     greeting: &Greeting,
+    gradient: bool,
 ) -> Result<Result<Rendering, KernelError>, &'static str> {
     let there = [
         (Quantity::Radiance, outcome.radiance.is_some()),
@@ -106,7 +107,7 @@ fn rendering(
                 return Err(KernelError::Answers { quantity, given });
             }
         }
-        let wanted = channels;
+        let wanted = task.subject.channels().len();
         let got = outcome.radiance.as_ref().map_or(wanted, Vec::len);
         if got != wanted {
             return Err(KernelError::Channels { got, wanted });
@@ -116,12 +117,28 @@ fn rendering(
             return Err(KernelError::StandardErrors { got, wanted });
         }
         let float = |number: Number| number.to_float(bits);
+        let given = outcome.gradient.is_some();
+        if given != gradient {
+            return Err(KernelError::GradientAsked { given });
+        }
+        let floats = |numbers: Vec<Number>| numbers.into_iter().map(float).collect();
+        let gradient = outcome.gradient.map(|given| Gradient {
+            extinction: floats(given.extinction),
+            emission: given.emission.into_iter().map(floats).collect(),
+        });
+        let gradient = match (gradient, declaration.gradient, task.cut()) {
+            (Some(gradient), Some(at), Some(segments)) => {
+                Some(gradient.checked(at, segments, wanted)?)
+            }
+            _ => None,
+        };
         let radiance = outcome.radiance.unwrap_or_default();
         Ok(Rendering {
             radiance: radiance.into_iter().map(float).collect(),
             opacity: outcome.opacity.map(float),
             optical_depth: outcome.optical_depth.map(float),
             expected_depth: outcome.expected_depth.map(float),
+            gradient,
             step: outcome.step.as_ref().map(used_step).transpose()?,
             segments: outcome.segments.as_ref().map(used_segments).transpose()?,
             standard_error: outcome

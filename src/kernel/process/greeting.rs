@@ -69,6 +69,9 @@ fn greeting(version: u64, hello: KernelHello) -> Result<Greeting, String> {
     if hello.background.is_some() && version < SECOND {
         return Err(of_second("background", version));
     }
+    if hello.gradient.is_some() && version < SECOND {
+        return Err(of_second("gradient", version));
+    }
     let answers = answers(version, hello.answers)?;
     let expected_depth = match hello.expected_depth {
         None => DepthWeights::default(),
@@ -101,9 +104,13 @@ fn greeting(version: u64, hello: KernelHello) -> Result<Greeting, String> {
             return Err("a language without need (allowed: with the form formula)".into());
         }
     };
+    if hello.gradient.is_some() && form != FormKind::Segments {
+        return Err("gradient of another form (allowed: with the form segments)".into());
+    }
     let declaration = Declaration {
         name,
         form,
+        gradient: hello.gradient.map(Into::into),
         method: hello
             .method
             .map(|name| named("method", &name))
@@ -193,6 +200,7 @@ impl Greeting {
             ("segments", a.multiple_of == b.multiple_of),
             ("far_wall", a.far_wall == b.far_wall),
             ("background", a.background == b.background),
+            ("gradient", a.gradient == b.gradient),
             ("answers", a.answers == b.answers),
             ("expected_depth", a.expected_depth == b.expected_depth),
             ("numbers", self.numbers == other.numbers),

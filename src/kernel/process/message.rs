@@ -2,7 +2,7 @@
 
 use super::number::Number;
 use super::written::{Array, Numbers, Written};
-use crate::kernel::{DepthWeights, Quantity, Sampling};
+use crate::kernel::{DepthWeights, GradientAt, Quantity, Sampling};
 #[cfg(feature = "studies")]
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
@@ -96,6 +96,8 @@ pub(super) struct KernelHello {
     pub(super) answers: Option<Vec<WireQuantity>>,
     /// What its expected depth is divided by, where that is among the answers: by nothing unless given. Of version 2.
     pub(super) expected_depth: Option<WireDepthWeights>,
+    /// It answers gradients too, by the values there; of segments alone. Of version 2.
+    pub(super) gradient: Option<WireGradientAt>,
     /// How volver is to write numbers.
     #[serde(default)]
     pub(super) numbers: Numbers,
@@ -174,6 +176,35 @@ pub(super) enum WireDepthWeights {
     ByOpacity,
 }
 
+/// Where the values lie by which a kernel differentiates.
+#[derive(Clone, Copy, Debug, Deserialize)]
+#[cfg_attr(feature = "studies", derive(JsonSchema), schemars(inline))]
+#[serde(rename_all = "lowercase")]
+pub(super) enum WireGradientAt {
+    Middles,
+    Edges,
+}
+
+impl From<WireGradientAt> for GradientAt {
+    fn from(at: WireGradientAt) -> Self {
+        match at {
+            WireGradientAt::Middles => GradientAt::Middles,
+            WireGradientAt::Edges => GradientAt::Edges,
+        }
+    }
+}
+
+/// The derivatives of Σₖ aₖ Iₖ, aₖ being the task's cotangents, by its numbers.
+#[derive(Debug, Deserialize)]
+#[cfg_attr(feature = "studies", derive(JsonSchema), schemars(rename = "Gradient"))]
+#[serde(deny_unknown_fields)]
+pub(super) struct WireGradient {
+    /// By τ at the places declared.
+    pub(super) extinction: Vec<Number>,
+    /// By C of every channel there.
+    pub(super) emission: Vec<Vec<Number>>,
+}
+
 /// Where arrays stand.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Deserialize)]
 #[cfg_attr(feature = "studies", derive(JsonSchema), schemars(inline))]
@@ -247,6 +278,9 @@ pub(super) struct WireTask<'a> {
     /// What comes from behind the end of the ray, a radiance of every channel; for kernels that take one. Of version 2.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub(super) background: Option<Vec<Written>>,
+    /// One a channel: where they are there the gradient of Σₖ aₖ Iₖ is wanted, too. Of version 2.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub(super) cotangents: Option<Vec<Written>>,
     /// The ray, in the form that the kernel asked for.
     pub(super) data: WireData<'a>,
 }
@@ -341,6 +375,8 @@ pub(super) struct Outcome {
     pub(super) segments: Option<Number>,
     /// Of every channel's radiance, where the kernel estimates it.
     pub(super) standard_error: Option<Vec<Number>>,
+    /// Of a task with cotangents, and of no other. Of version 2.
+    pub(super) gradient: Option<WireGradient>,
     /// Why there is no answer, in the kernel's own words.
     pub(super) error: Option<String>,
 }

@@ -33,7 +33,7 @@ pub use schema::schema;
 pub use spoken::{answer, greeting, request};
 pub use written::Numbers;
 
-use super::{Declaration, Kernel, KernelError, Rendering, Task};
+use super::{Declaration, Gradient, Kernel, KernelError, Rendering, Task};
 use child::Child;
 use files::Files;
 use greeting::Greeting;
@@ -112,7 +112,7 @@ impl ProcessKernel {
     /// The results of tasks in the form declared. One of several tasks may be the other ones' trouble: if no
     /// answer comes to all at once, they are asked one by one.
     fn results(&mut self, tasks: &[&Task<'_>]) -> Vec<Result<Rendering, KernelError>> {
-        match self.request(tasks) {
+        match self.request(tasks, None) {
             Ok(results) => results,
             Err(error) if tasks.len() == 1 => vec![Err(error)],
             Err(_) => {
@@ -126,6 +126,7 @@ impl ProcessKernel {
     fn request(
         &mut self,
         tasks: &[&Task<'_>],
+        cotangents: Option<&[f64]>,
     ) -> Result<Vec<Result<Rendering, KernelError>>, KernelError> {
         if let Some(last) = &self.last_failure
             && self.failures >= self.options.max_failures.max(1)
@@ -135,7 +136,7 @@ impl ProcessKernel {
                 last: Box::new(last.clone()),
             });
         }
-        let results = self.ask(tasks);
+        let results = self.ask(tasks, cotangents);
         if let Some(files) = &mut self.files {
             files.clear();
         }
@@ -152,11 +153,13 @@ impl ProcessKernel {
     fn ask(
         &mut self,
         tasks: &[&Task<'_>],
+        cotangents: Option<&[f64]>,
     ) -> Result<Vec<Result<Rendering, KernelError>>, KernelError> {
         self.last_id += 1;
         let mut writer = Writer {
             numbers: self.greeting.numbers,
             background: self.greeting.declaration.background,
+            cotangents,
             files: self.files.as_mut(),
         };
         let line = writer.line(self.last_id, tasks);
@@ -165,12 +168,20 @@ impl ProcessKernel {
             Some(child) => child,
             None => self.start_anew()?,
         };
-        self.keep(&line, tasks)
+        self.keep(&line, tasks, cotangents)
             .map_err(|error| KernelError::message(&error))?;
         let timeout = self.options.timeout;
         let answer = child
             .exchange(&line, Instant::now().checked_add(timeout))
-            .and_then(|answer| answer::read(&answer, self.last_id, tasks, &self.greeting));
+            .and_then(|answer| {
+                answer::read(
+                    &answer,
+                    self.last_id,
+                    tasks,
+                    &self.greeting,
+                    cotangents.is_some(),
+                )
+            });
         match answer {
             Ok(results) => {
                 self.child = Some(child);
@@ -181,7 +192,7 @@ impl ProcessKernel {
     }
 
     /// Logs a request before it is sent. Files are gone when the log is read: their arrays stand in the message there.
-    fn keep(&self, line: &[u8], tasks: &[&Task<'_>]) -> io::Result<()> {
+    fn keep(&self, line: &[u8], tasks: &[&Task<'_>], cotangents: Option<&[f64]>) -> io::Result<()> {
         let Some(log) = &self.options.log else {
             return Ok(());
         };
@@ -191,6 +202,7 @@ impl ProcessKernel {
         let mut writer = Writer {
             numbers: self.greeting.numbers,
             background: self.greeting.declaration.background,
+            cotangents,
             files: None,
         };
         log.keep(Stream::Requests, &writer.line(self.last_id, tasks)?)
@@ -262,6 +274,26 @@ impl Kernel for ProcessKernel {
             fitting.unwrap_or(Err(KernelError::Form { given, wanted }))
         };
         tasks.iter().map(&mut result).collect()
+    }
+
+    fn gradient(
+        &mut self,
+        task: &Task<'_>,
+        cotangents: &[f64],
+    ) -> Result<(Rendering, Gradient), KernelError> {
+        if self.declaration().gradient.is_none() {
+            return Err(KernelError::NoGradient);
+        }
+        let given = task.data.kind();
+        let wanted = self.declaration().form;
+        if given != wanted {
+            return Err(KernelError::Form { given, wanted });
+        }
+        let mut results = self.request(&[task], Some(cotangents))?;
+        let mut rendering = results.pop().unwrap_or(Err(KernelError::NoGradient))?;
+        let gradient = rendering.gradient.take();
+        let gradient = gradient.ok_or(KernelError::GradientAsked { given: false })?;
+        Ok((rendering, gradient))
     }
 
     fn renew(&mut self) {

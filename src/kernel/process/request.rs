@@ -13,6 +13,8 @@ pub(super) struct Writer<'f> {
     pub(super) numbers: Numbers,
     /// Whether tasks have a background.
     pub(super) background: bool,
+    /// One a channel, where a gradient is wanted.
+    pub(super) cotangents: Option<&'f [f64]>,
     /// Where arrays go that do not go into the message.
     pub(super) files: Option<&'f mut Files>,
 }
@@ -41,6 +43,7 @@ impl Writer<'_> {
             segments: task.segments,
             seed: task.seed,
             background: self.background.then(|| self.behind(task)),
+            cotangents: self.cotangents.map(|all| self.numbers_of(all)),
             data: self.data(task.data)?,
         })
     }
@@ -51,6 +54,10 @@ impl Writer<'_> {
         let black = std::iter::repeat(0.0);
         let all = background.chain(black).take(task.subject.channels().len());
         all.map(|value| self.number(value)).collect()
+    }
+
+    fn numbers_of(&self, values: &[f64]) -> Vec<Written> {
+        values.iter().map(|value| self.number(*value)).collect()
     }
 
     fn data<'a>(&mut self, data: Data<'a>) -> io::Result<WireData<'a>> {

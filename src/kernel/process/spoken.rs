@@ -26,6 +26,7 @@ pub fn request(id: u64, tasks: &[Task<'_>], numbers: Numbers) -> Result<String, 
         background: tasks
             .iter()
             .any(|task| !task.subject.background().is_empty()),
+        cotangents: None,
         files: None,
     };
     let line = writer.line(id, &tasks);

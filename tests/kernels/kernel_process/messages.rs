@@ -41,7 +41,7 @@ fn answered(
         seed: 0,
         data: Data::Function,
     };
-    read_answer(line, 7, &[&task], greeting)
+    read_answer(line, 7, &[&task], greeting, false)
 }
 
 /// The radiance that an answer gives as `json`, to at least that many bits.
