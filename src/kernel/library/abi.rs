@@ -17,6 +17,7 @@
 
 use super::declared::Declared;
 use super::fits;
+use super::tables::{RawVolume, Tables};
 use crate::kernel::{Data, Medium as Asked, Samples, Task};
 use libloading::os::unix::{Library, RTLD_LOCAL, RTLD_NOW};
 use std::any::Any;
@@ -52,6 +53,7 @@ struct RawDeclaration {
     far_wall: i32,
     step_divides: i32,
     multiple_of: u64,
+    language: *const c_char,
 }
 
 /// `volver_medium`.
@@ -82,6 +84,8 @@ struct RawTask {
     medium: RawMedium,
     edges: RawSamples,
     middles: RawSamples,
+    volume: RawVolume,
+    code: *const c_char,
 }
 
 /// `volver_result`.
@@ -170,6 +174,7 @@ impl Functions {
             far_wall: 0,
             step_divides: 0,
             multiple_of: 0,
+            language: ptr::null(),
         };
         // SAFETY: the struct has the header's layout and lives through the call.
         unsafe { (self.declare)(&raw mut raw) };
@@ -187,6 +192,7 @@ impl Functions {
                 far_wall: raw.far_wall != 0,
                 step_divides: raw.step_divides != 0,
                 multiple_of: raw.multiple_of,
+                language: string("language", raw.language)?,
             })
         }
     }
@@ -210,6 +216,16 @@ impl Functions {
             _ => (None, None),
         };
         let (edges, middles) = (Columns::new(edges), Columns::new(middles));
+        let volume = match task.data {
+            Data::Volume(volume) => Some(volume),
+            _ => None,
+        };
+        let tables = Tables::new(volume);
+        let code = match task.data {
+            // Source code has no null character.
+            Data::Formula(formula) => CString::new(formula.code.as_str()).ok(),
+            _ => None,
+        };
         let raw = RawTask {
             size: size_of::<RawTask>(),
             case_name: name.as_ptr(),
@@ -224,6 +240,8 @@ impl Functions {
             },
             edges: edges.raw(),
             middles: middles.raw(),
+            volume: tables.raw(),
+            code: code.as_ref().map_or(ptr::null(), |code| code.as_ptr()),
         };
         let mut radiance = vec![f64::NAN; channels + MARGIN];
         let mut standard_error = vec![f64::NAN; channels + MARGIN];

@@ -157,8 +157,7 @@ impl ProcessKernel {
             Some(child) => child,
             None => self.start_anew()?,
         };
-        self.keep(&line, tasks)
-            .map_err(|error| KernelError::message(&error))?;
+        self.keep(&line, tasks)?;
         let timeout = self.options.timeout;
         // No fewer than binary64 has.
         let bits = self
@@ -180,18 +179,20 @@ impl ProcessKernel {
     }
 
     /// Logs a request before it is sent. Files are gone when the log is read: their arrays stand in the message there.
-    fn keep(&self, line: &[u8], tasks: &[&Task<'_>]) -> io::Result<()> {
+    fn keep(&self, line: &[u8], tasks: &[&Task<'_>]) -> Result<(), KernelError> {
         let Some(log) = &self.options.log else {
             return Ok(());
         };
         if self.files.is_none() {
-            return log.keep(Stream::Requests, line);
+            return log.tell(Stream::Requests, line);
         }
         let mut writer = Writer {
             numbers: self.greeting.numbers,
             files: None,
         };
-        log.keep(Stream::Requests, &writer.line(self.last_id, tasks)?)
+        let line = writer.line(self.last_id, tasks);
+        let line = line.map_err(|error| KernelError::message(&error))?;
+        log.tell(Stream::Requests, &line)
     }
 
     fn start_anew(&self) -> Result<Child, KernelError> {
@@ -223,7 +224,12 @@ fn start(
     let log = options.log.as_ref();
     let mut child = Child::start(program, arguments, log).map_err(failed)?;
     if let Some(log) = log {
-        log.keep(Stream::Requests, &hello).map_err(failed)?;
+        let words = arguments.iter().map(String::as_str);
+        let words: Vec<&str> = std::iter::once(program).chain(words).collect();
+        let command = words.join(" ");
+        let note = format!("process {}: {}\n", child.id(), command.escape_debug());
+        log.tell(Stream::Volver, note.as_bytes())?;
+        log.tell(Stream::Requests, &hello)?;
     }
     let greeting = child.exchange(&hello, deadline);
     match greeting.and_then(|line| greeting::read(&line)) {
