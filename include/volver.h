@@ -76,9 +76,9 @@ typedef struct volver_declaration {
   size_t size;
   /* For reports. Null: the library's file name. */
   const char *name;
-  /* What volver_render is given: "segments" (values at the ends and in the middle of every segment), or
-   * "function" (the medium alone, to call wherever the kernel likes). Null: "segments". The medium can be called
-   * in either case. */
+  /* What volver_render is given: "segments" (values at the ends and in the middle of every segment), "function"
+   * (the medium alone, to call wherever the kernel likes), "volume" (a grid and lookup tables) or "formula"
+   * (source code). Null: "segments". The medium can be called in every case. */
   const char *form;
   /* The method of volver that the kernel means to be: its order is then expected on every case as theory has
    * it, and the values themselves are compared. "front-to-back/middle/subtraction" for instance. Null: none. */
@@ -109,6 +109,9 @@ typedef struct volver_declaration {
   int32_t by_opacity;
   /* Not 0: it takes the background of its tasks. 0. A later member than the first. */
   int32_t background;
+  /* Of the code of the form "formula": "c", "python" or "rust". Null: none, as with every other form. A later
+   * member than the first. */
+  const char *language;
 } volver_declaration;
 
 /* The medium along the ray, as a function. */
@@ -120,7 +123,7 @@ typedef struct volver_medium {
   void *context;
 } volver_medium;
 
-/* Values at a row of places. All null where the kernel asked for "function". */
+/* Values at a row of places. All null where the kernel did not ask for "segments". */
 typedef struct volver_samples {
   /* lambda of every place. */
   const double *lambda;
@@ -129,6 +132,22 @@ typedef struct volver_samples {
   /* emission[channel][place] is C. */
   const double *const *emission;
 } volver_samples;
+
+/* A ray through a grid, and transfer functions as tables. All 0 where the kernel did not ask for "volume". */
+typedef struct volver_volume {
+  /* How many places the grid has, from 0 to D at the same distance of each other: two or more. */
+  uint64_t points;
+  /* The field s at these places; it is linear between them. */
+  const double *field;
+  /* How many entries the tables have, at evenly spaced s; they are linear between them. */
+  uint64_t entries;
+  /* s of the first entry and of the last; the same where the field is constant. */
+  double first, last;
+  /* tau by entry. */
+  const double *extinction;
+  /* emission[channel][entry] is C. */
+  const double *const *emission;
+} volver_volume;
 
 /* One ray to render. It and all that it points to are valid until volver_render returns. */
 typedef struct volver_task {
@@ -154,6 +173,12 @@ typedef struct volver_task {
   /* What comes from behind the end of the ray, a radiance of every channel; null unless the kernel takes one. A later member
    * than the first. */
   const double *background;
+  /* A later member than the first. */
+  volver_volume volume;
+  /* Source code that defines LENGTH (D), field(lambda) (s), extinction(s) (tau) and for every channel
+   * emission_CHANNEL(s) (C), in the language declared; null where the kernel did not ask for "formula". A later
+   * member than the first. */
+  const char *code;
 } volver_task;
 
 /* The answer. volver fills it with what holds where the kernel writes nothing, as noted. */

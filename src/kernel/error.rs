@@ -64,6 +64,12 @@ pub enum KernelError {
         /// What the system says.
         reason: String,
     },
+    /// What is said cannot be kept.
+    #[error("{reason} (allowed: a place with room)")]
+    Log {
+        /// What the system says.
+        reason: String,
+    },
     /// An answer to another request.
     #[error(
         "an answer to request {got} (allowed: to {wanted}, the one asked){}",

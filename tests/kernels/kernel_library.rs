@@ -14,6 +14,7 @@ use volver::kernel::{
 };
 use volver::method::Method;
 use volver::real::FormatName;
+use volver::symbolic::code::Language;
 
 /// What most of the files begin with.
 const HEAD: &str = "#include <math.h>\n#include <string.h>\n#include \"volver.h\"\n\
@@ -301,6 +302,67 @@ fn the_medium_can_be_called_anywhere() {
 }
 
 #[test]
+fn a_volume_arrives_with_its_tables() {
+    let code = "void volver_declare(volver_declaration *d) { d->form = \"volume\"; }\n\
+        int volver_render(const volver_task *t, volver_result *r) {\n\
+        const volver_volume *v = &t->volume;\n\
+        if (t->edges.lambda || t->middles.extinction || t->code) return 1;\n\
+        if (v->points != 5 || v->entries != 7 || t->segments != 8) return 2;\n\
+        r->radiance[0] = v->field[4] + v->first; r->radiance[1] = v->last + v->extinction[6];\n\
+        r->radiance[2] = v->emission[2][5]; return 0; }\n";
+    let Some(kernel) = open(code) else {
+        return;
+    };
+    let mut kernel = kernel.unwrap();
+    assert_eq!(kernel.declaration().form, FormKind::Volume);
+    let subject = subject("rgb-transfer");
+    let (segments, volume) = (
+        subject.segments(Cut::Segments(8)).unwrap(),
+        subject.volume(4, 7),
+    );
+    let task = Task {
+        data: Data::Volume(&volume),
+        ..task(&subject, &segments)
+    };
+    let table = &volume.table;
+    let wanted = [
+        volume.field[4] + table.first,
+        table.last + table.extinction[6],
+        table.emission[2][5],
+    ];
+    assert_eq!(numbers(&kernel.render(&task).unwrap()), wanted);
+    // A grid of one point is none.
+    let mut point = volume.clone();
+    point.field.truncate(1);
+    let data = Data::Volume(&point);
+    let refused = kernel.render(&Task { data, ..task });
+    assert!(matches!(refused, Err(KernelError::Library { .. })));
+}
+
+#[test]
+fn a_formula_arrives_as_code() {
+    let code = "void volver_declare(volver_declaration *d) {\n\
+        d->form = \"formula\"; d->language = \"c\"; }\n\
+        int volver_render(const volver_task *t, volver_result *r) {\n\
+        if (t->edges.lambda || t->volume.points || !strstr(t->code, \"LENGTH\")) return 1;\n\
+        r->radiance[0] = (double)strlen(t->code); return 0; }\n";
+    let Some(kernel) = open(code) else {
+        return;
+    };
+    let mut kernel = kernel.unwrap();
+    let (subject, language) = (subject("cloud"), Language::C);
+    assert_eq!(kernel.declaration().form, FormKind::Formula(language));
+    let segments = subject.segments(Cut::Segments(8)).unwrap();
+    let formula = subject.formula(language).unwrap();
+    let task = Task {
+        data: Data::Formula(&formula),
+        ..task(&subject, &segments)
+    };
+    let radiance = numbers(&kernel.render(&task).unwrap());
+    assert_eq!(radiance, [formula.code.len() as f64]);
+}
+
+#[test]
 fn bad_libraries_are_refused_with_what_is_wrong() {
     let declares =
         |what: &str| format!("void volver_declare(volver_declaration *d) {{ d->{what}; }}\n");
@@ -308,8 +370,20 @@ fn bad_libraries_are_refused_with_what_is_wrong() {
         (String::new(), "it has no function volver_declare"),
         (DECLARES_NOTHING.into(), "it has no function volver_render"),
         (
+            declares("form = \"grid\""),
+            "it declares form 'grid' (allowed: segments, function, volume, formula)",
+        ),
+        (
             declares("form = \"formula\""),
-            "it declares form 'formula' (allowed: segments, function)",
+            "it declares no language of the formula (allowed: c, python, rust)",
+        ),
+        (
+            declares("form = \"formula\", d->language = \"lisp\""),
+            "it declares a language: ",
+        ),
+        (
+            declares("language = \"c\""),
+            "it declares a language without need (allowed: with the form formula)",
         ),
         (
             declares("form = \"\\xff\""),

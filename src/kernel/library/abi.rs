@@ -17,6 +17,7 @@
 
 use super::declared::Declared;
 use super::fits;
+use super::tables::{RawVolume, Tables};
 use crate::kernel::{Data, Medium as Asked, Samples, Task};
 use libloading::os::unix::{Library, RTLD_LOCAL, RTLD_NOW};
 use std::any::Any;
@@ -55,6 +56,7 @@ struct RawDeclaration {
     answers: u32,
     by_opacity: i32,
     background: i32,
+    language: *const c_char,
 }
 
 /// `volver_medium`.
@@ -86,6 +88,8 @@ struct RawTask {
     edges: RawSamples,
     middles: RawSamples,
     background: *const f64,
+    volume: RawVolume,
+    code: *const c_char,
 }
 
 /// `volver_result`.
@@ -181,6 +185,7 @@ impl Functions {
             answers: 0,
             by_opacity: 0,
             background: 0,
+            language: ptr::null(),
         };
         // SAFETY: the struct has the header's layout and lives through the call.
         unsafe { (self.declare)(&raw mut raw) };
@@ -201,6 +206,7 @@ impl Functions {
                 answers: raw.answers,
                 by_opacity: raw.by_opacity != 0,
                 background: raw.background != 0,
+                language: string("language", raw.language)?,
             })
         }
     }
@@ -226,6 +232,16 @@ impl Functions {
         let (edges, middles) = (Columns::new(edges), Columns::new(middles));
         let mut behind = task.subject.background().to_vec();
         behind.resize(channels, 0.0);
+        let volume = match task.data {
+            Data::Volume(volume) => Some(volume),
+            _ => None,
+        };
+        let tables = Tables::new(volume);
+        let code = match task.data {
+            // Source code has no null character.
+            Data::Formula(formula) => CString::new(formula.code.as_str()).ok(),
+            _ => None,
+        };
         let raw = RawTask {
             size: size_of::<RawTask>(),
             case_name: name.as_ptr(),
@@ -245,6 +261,8 @@ impl Functions {
             } else {
                 ptr::null()
             },
+            volume: tables.raw(),
+            code: code.as_ref().map_or(ptr::null(), |code| code.as_ptr()),
         };
         let mut radiance = vec![f64::NAN; channels + MARGIN];
         let mut standard_error = vec![f64::NAN; channels + MARGIN];

@@ -25,21 +25,13 @@ pub(super) struct Declared {
     pub(super) answers: u32,
     pub(super) by_opacity: bool,
     pub(super) background: bool,
+    pub(super) language: Option<String>,
 }
 
 impl Declared {
     /// The declaration, or what is wrong with it.
     pub(super) fn checked(self, default_name: &str) -> Result<Declaration, String> {
-        let form = match self.form.as_deref() {
-            None | Some("segments") => FormKind::Segments,
-            Some("function") => FormKind::Function,
-            Some(other) => {
-                let form = other.escape_debug();
-                return Err(format!(
-                    "it declares form '{form}' (allowed: segments, function)"
-                ));
-            }
-        };
+        let form = form(self.form.as_deref(), self.language)?;
         let order = Some(self.order).filter(|order| !order.is_nan());
         if let Some(order) = order.filter(|order| !order.is_finite() || *order < 0.0) {
             return Err(format!(
@@ -93,6 +85,35 @@ fn answers(bits: u32) -> Result<Vec<Quantity>, String> {
     let all = Quantity::ALL.into_iter().enumerate();
     let named = all.filter(|(place, _)| bits >> place & 1 == 1);
     Ok(named.map(|(_, quantity)| quantity).collect())
+}
+
+fn form(form: Option<&str>, language: Option<String>) -> Result<FormKind, String> {
+    let form = match (form, language) {
+        (Some("formula"), Some(language)) => {
+            let read = language.parse();
+            return read
+                .map(FormKind::Formula)
+                .map_err(|error| format!("it declares a language: {error}"));
+        }
+        (Some("formula"), None) => {
+            return Err("it declares no language of the formula (allowed: c, python, rust)".into());
+        }
+        (None | Some("segments"), None) => FormKind::Segments,
+        (Some("function"), None) => FormKind::Function,
+        (Some("volume"), None) => FormKind::Volume,
+        (None | Some("segments" | "function" | "volume"), Some(_)) => {
+            return Err(
+                "it declares a language without need (allowed: with the form formula)".into(),
+            );
+        }
+        (Some(other), _) => {
+            let form = other.escape_debug();
+            return Err(format!(
+                "it declares form '{form}' (allowed: segments, function, volume, formula)"
+            ));
+        }
+    };
+    Ok(form)
 }
 
 fn parsed<T: FromStr<Err: ToString>>(text: Option<String>) -> Result<Option<T>, String> {

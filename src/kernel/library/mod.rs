@@ -6,8 +6,9 @@
 
 mod abi;
 mod declared;
+mod tables;
 
-use super::{Data, Declaration, Kernel, KernelError, Quantity, Rendering, Task};
+use super::{Data, Declaration, Kernel, KernelError, Quantity, Rendering, Task, Volume};
 use abi::{Failure, Functions};
 use rug::Float;
 use std::fs;
@@ -101,10 +102,16 @@ impl Kernel for LibraryKernel {
 
 /// Whether arrays are as long as a library will take them to be.
 fn fits(task: &Task<'_>) -> bool {
+    let channels = task.subject.channels().len();
+    if let Data::Volume(Volume { field, table }) = task.data {
+        let columns = &table.emission;
+        return field.len() > 1
+            && columns.len() == channels
+            && columns.iter().all(|c| c.len() == table.entries());
+    }
     let Data::Segments(segments) = task.data else {
         return true;
     };
-    let channels = task.subject.channels().len();
     [(&segments.edges, 1), (&segments.middles, 0)]
         .into_iter()
         .all(|(samples, more)| {

@@ -73,9 +73,9 @@ impl Child {
         // It holds this side's copies of the child's ends: as long as they are open, no end is ever seen.
         drop(command);
         let tail = |source| tail(source, log);
-        let tails = noted(log, program, arguments, process.id()).and_then(|()| {
-            let output = process.stdout.take();
-            let output = tail(output.map(|pipe| (pipe.into(), Stream::Output)))?;
+        let output = process.stdout.take();
+        let output = tail(output.map(|pipe| (pipe.into(), Stream::Output)));
+        let tails = output.and_then(|output| {
             let errors = process.stderr.take();
             let errors = tail(errors.map(|pipe| (pipe.into(), Stream::Errors)))?;
             Ok((output, errors))
@@ -195,14 +195,6 @@ fn reap(process: &mut std::process::Child, group: Pid) -> Option<ExitStatus> {
 fn tail(source: Option<(OwnedFd, Stream)>, log: Option<&Log>) -> io::Result<Tail> {
     let (pipe, stream) = source.ok_or_else(|| io::Error::other("no pipe for what it prints"))?;
     Tail::of(File::from(pipe), log.map(|log| (log.clone(), stream)))
-}
-
-/// Says in the log who it is.
-fn noted(log: Option<&Log>, program: &str, arguments: &[String], id: u32) -> io::Result<()> {
-    let Some(log) = log else { return Ok(()) };
-    let words = arguments.iter().map(String::as_str);
-    let words: Vec<&str> = std::iter::once(program).chain(words).collect();
-    log.note(&format!("process {id}: {}", words.join(" ").escape_debug()))
 }
 
 fn how(status: ExitStatus) -> String {

@@ -1,5 +1,6 @@
 //! What a kernel and volver say to each other, kept as it comes.
 
+use crate::kernel::KernelError;
 use std::fs::File;
 use std::io::{self, Write};
 use std::path::Path;
@@ -52,6 +53,13 @@ impl Log {
         lines.file.write_all(&text).map_err(|error| {
             let problem = format!("the log cannot be written: {error}");
             io::Error::new(error.kind(), problem)
+        })
+    }
+
+    /// The same, for whoever talks to a kernel.
+    pub(super) fn tell(&self, stream: Stream, bytes: &[u8]) -> Result<(), KernelError> {
+        self.keep(stream, bytes).map_err(|error| KernelError::Log {
+            reason: error.to_string(),
         })
     }
 

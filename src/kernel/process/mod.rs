@@ -168,8 +168,7 @@ impl ProcessKernel {
             Some(child) => child,
             None => self.start_anew()?,
         };
-        self.keep(&line, tasks, cotangents)
-            .map_err(|error| KernelError::message(&error))?;
+        self.keep(&line, tasks, cotangents)?;
         let timeout = self.options.timeout;
         let answer = child
             .exchange(&line, Instant::now().checked_add(timeout))
@@ -192,12 +191,17 @@ impl ProcessKernel {
     }
 
     /// Logs a request before it is sent. Files are gone when the log is read: their arrays stand in the message there.
-    fn keep(&self, line: &[u8], tasks: &[&Task<'_>], cotangents: Option<&[f64]>) -> io::Result<()> {
+    fn keep(
+        &self,
+        line: &[u8],
+        tasks: &[&Task<'_>],
+        cotangents: Option<&[f64]>,
+    ) -> Result<(), KernelError> {
         let Some(log) = &self.options.log else {
             return Ok(());
         };
         if self.files.is_none() {
-            return log.keep(Stream::Requests, line);
+            return log.tell(Stream::Requests, line);
         }
         let mut writer = Writer {
             numbers: self.greeting.numbers,
@@ -205,7 +209,9 @@ impl ProcessKernel {
             cotangents,
             files: None,
         };
-        log.keep(Stream::Requests, &writer.line(self.last_id, tasks)?)
+        let line = writer.line(self.last_id, tasks);
+        let line = line.map_err(|error| KernelError::message(&error))?;
+        log.tell(Stream::Requests, &line)
     }
 
     fn start_anew(&self) -> Result<Child, KernelError> {
@@ -237,7 +243,12 @@ fn start(
     let log = options.log.as_ref();
     let mut child = Child::start(program, arguments, log).map_err(failed)?;
     if let Some(log) = log {
-        log.keep(Stream::Requests, &hello).map_err(failed)?;
+        let words = arguments.iter().map(String::as_str);
+        let words: Vec<&str> = std::iter::once(program).chain(words).collect();
+        let command = words.join(" ");
+        let note = format!("process {}: {}\n", child.id(), command.escape_debug());
+        log.tell(Stream::Volver, note.as_bytes())?;
+        log.tell(Stream::Requests, &hello)?;
     }
     let greeting = child.exchange(&hello, deadline);
     match greeting.and_then(|line| greeting::read(&line)) {

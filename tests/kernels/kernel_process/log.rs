@@ -96,3 +96,20 @@ fn a_line_that_another_came_into_goes_on_behind_it() {
         "{log}"
     );
 }
+
+#[test]
+fn a_log_that_cannot_be_written_is_named() {
+    let full = std::path::Path::new("/dev/full");
+    let fixture = Fixture::new();
+    let options = Options {
+        log: Some(volver::kernel::process::Log::create(full).unwrap()),
+        ..patient()
+    };
+    let error = fixture.start("behaves", options).unwrap_err().to_string();
+    assert!(
+        error.starts_with("the log cannot be written: No space left"),
+        "{error}"
+    );
+    assert!(error.ends_with("(allowed: a place with room)"), "{error}");
+    fixture.assert_gone();
+}
