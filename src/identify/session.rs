@@ -3,7 +3,7 @@
 use super::pose::{Made, Pose, Posed};
 use super::ray::{Emission, Layers, Ray};
 use super::rule::Channels;
-use crate::kernel::{Kernel, KernelError, Rendering, Task};
+use crate::kernel::{Gradient, Kernel, KernelError, Rendering, Task};
 use std::ops::Range;
 use std::time::{Duration, Instant};
 
@@ -189,6 +189,22 @@ impl<'k> Session<'k> {
         self.count(usize::try_from(task.segments).unwrap_or(usize::MAX))?;
         let answer = self.kernel.render(&task);
         self.read(&task, answer)
+    }
+
+    /// The derivatives of Σₖ aₖ Iₖ by the ray's numbers.
+    pub(super) fn derivatives(
+        &mut self,
+        ray: &Ray,
+        cotangents: &[f64],
+    ) -> Result<Gradient, Silence> {
+        let segments = ray.segments.count();
+        self.count(segments)?;
+        let answer = self.kernel.gradient(&ray.task(), cotangents);
+        answer.map(|(_, gradient)| gradient).map_err(|error| {
+            self.spent.unanswered += 1;
+            self.kernel.renew();
+            Silence::Kernel { segments, error }
+        })
     }
 
     /// Several rays in one request.
