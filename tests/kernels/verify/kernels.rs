@@ -269,6 +269,27 @@ fn quantities_stand_in_json_junit_and_baseline() {
         "{xml}"
     );
     assert!(xml.contains("tests=\"13\""), "{xml}");
+    // A baseline from before opacities were measured has not moved; what contradicts is told.
+    let mut kept: Value = serde_json::from_str(&fs::read_to_string(&base).unwrap()).unwrap();
+    let lines = kept["lines"].as_array_mut().unwrap();
+    lines.retain(|line| !line["name"].as_str().unwrap().contains(':'));
+    let older = at("older.json");
+    fs::write(&older, kept.to_string()).unwrap();
+    let check_older = |kernel: &[&str]| {
+        let command = ["check", "--quiet", &older];
+        volver(&[&command[..], kernel].concat()).with_code(0)
+    };
+    assert_eq!(
+        check_older(&["python3", &script]).out,
+        "nothing has moved\n"
+    );
+    let fixture = in_repository("tests/kernels/verify/kernel.py");
+    let wrong = ["python3", "-S", &fixture, "--claim", r#"{"opacity":0.5}"#];
+    let run = check_older(&wrong);
+    run.shows(
+        "found: cloud:opacity: contradicted (the baseline has no such quantity: save it anew)",
+    );
+    run.shows("nothing has moved");
     // Another depth than was kept has moved, and nothing else.
     let check = |more: &[&str]| {
         let kernel = [&["check", "--quiet", &base, "python3", &script], more].concat();
