@@ -84,6 +84,8 @@ pub struct ChannelDescription {
     pub emission: Option<Expr>,
     /// C as a function of the depth t.
     pub emission_of_depth: Option<Expr>,
+    /// What comes from behind the end of the ray, for kernels that take a background.
+    pub background: Option<Rational>,
 }
 
 impl Description {
@@ -136,7 +138,7 @@ impl FromStr for Description {
     }
 }
 
-const OF_CHANNEL: [&str; 3] = ["radiance", "emission", "emission_of_depth"];
+const OF_CHANNEL: [&str; 4] = ["radiance", "emission", "emission_of_depth", "background"];
 
 fn describe(top: &Table<'_>) -> Result<Description, FileError> {
     top.allow(&[
@@ -152,6 +154,7 @@ fn describe(top: &Table<'_>) -> Result<Description, FileError> {
         "radiance",
         "emission",
         "emission_of_depth",
+        "background",
         "parameters",
         "channels",
     ])?;
@@ -165,6 +168,10 @@ fn describe(top: &Table<'_>) -> Result<Description, FileError> {
             radiance: parameters.expression(table, "radiance", "lambda")?,
             emission: parameters.expression(table, "emission", "s")?,
             emission_of_depth: parameters.expression(table, "emission_of_depth", "t")?,
+            background: match table.entry("background") {
+                Some(entry) => Some(expression::background(&entry)?),
+                None => None,
+            },
         })
     };
     Ok(Description {

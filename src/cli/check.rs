@@ -73,6 +73,12 @@ impl Check {
                 "found: {one} (the baseline is of version 1 and has none: save it anew)"
             );
         }
+        for one in baseline.not_measured(&verification) {
+            let _ = writeln!(
+                said,
+                "found: {one} (the baseline has no such quantity: save it anew)"
+            );
+        }
         let worse = moved.iter().filter(|one| !one.better).count();
         let _ = match (worse, moved.len()) {
             (0, 0) => writeln!(said, "nothing has moved"),

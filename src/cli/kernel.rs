@@ -2,6 +2,7 @@
 
 use super::{Failure, case, waiting};
 use clap::Args;
+use rug::Rational;
 use std::collections::BTreeSet;
 use std::path::{Path, PathBuf};
 use std::time::Duration;
@@ -219,9 +220,20 @@ fn loaded(asked: &[String]) -> Result<Vec<Subject>, Failure> {
 /// One case by its name or path, with all its channels.
 pub(super) fn subject(argument: &str) -> Result<Subject, Failure> {
     let loaded = case::medium(argument)?;
+    let behind = loaded.description.channels.iter();
+    let behind: Vec<Option<f64>> = behind
+        .map(|channel| channel.background.as_ref().map(Rational::to_f64))
+        .collect();
     let channels = loaded.cases.into_iter().map(|one| (one.channel, one.case));
-    Subject::new(&loaded.description.name, channels.collect())
-        .map_err(|error| Failure::Usage(format!("{argument}: {error}")))
+    let subject = Subject::new(&loaded.description.name, channels.collect());
+    let subject = if behind.iter().any(Option::is_some) {
+        // Nothing is behind the channels that say nothing.
+        let behind = behind.into_iter().map(Option::unwrap_or_default);
+        subject.and_then(|subject| subject.before(behind.collect()))
+    } else {
+        subject
+    };
+    subject.map_err(|error| Failure::Usage(format!("{argument}: {error}")))
 }
 
 /// The cases of the catalogue with that tag.

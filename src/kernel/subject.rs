@@ -93,6 +93,15 @@ impl Subject {
         Ok(Subject { background, ..self })
     }
 
+    /// The same ray before nothing.
+    #[must_use]
+    pub(crate) fn before_nothing(self) -> Self {
+        Subject {
+            background: Vec::new(),
+            ..self
+        }
+    }
+
     /// What comes from behind the end of the ray, of every channel; empty where that is nothing.
     #[must_use]
     pub fn background(&self) -> &[f64] {

@@ -7,6 +7,7 @@ mod compositions;
 mod deviation;
 mod examined;
 mod forms;
+mod gradients;
 mod linear;
 mod pairs;
 mod random;

@@ -10,6 +10,9 @@ use toml::de::DeValue;
 /// The most bits of a numerator or a denominator: 1000 decimal digits.
 pub(super) const MAX_BITS: u32 = 3322;
 
+/// The brightest background.
+const BRIGHTEST: u64 = 1_000_000_000_000;
+
 /// The named numbers of a file.
 pub(super) struct Parameters(BTreeMap<String, Expr>);
 
@@ -95,6 +98,16 @@ pub(super) fn length(entry: &Entry<'_>) -> Result<Rational, FileError> {
         return Err(entry.value_error(FileProblem::Length { text }));
     }
     Ok(length)
+}
+
+/// 0 ≤ B, and no more than a renderer takes.
+pub(super) fn background(entry: &Entry<'_>) -> Result<Rational, FileError> {
+    let background = number(entry)?;
+    if background < 0 || background > BRIGHTEST {
+        let text = background.to_string();
+        return Err(entry.value_error(FileProblem::Background { text }));
+    }
+    Ok(background)
 }
 
 /// An exact number: a text or an integer.

@@ -137,6 +137,12 @@ pub enum FileProblem {
         /// The length.
         text: String,
     },
+    /// A background that no renderer is given.
+    #[error("a background of {} (allowed: 0 to 1e12)", quoted(text))]
+    Background {
+        /// The background.
+        text: String,
+    },
     /// A text that is no expression, or has no value with the parameters.
     #[error("'{key}': {problem}")]
     Expression {

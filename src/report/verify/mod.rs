@@ -263,7 +263,7 @@ fn run(verification: &Verification) -> Block {
         .map(ToString::to_string)
         .collect();
     let behind = if declaration.background {
-        "0.5 behind the first channel, 0.25 more behind each further one"
+        "the case's own, else 0.5 behind the first channel, 0.25 more behind each further one"
     } else {
         "none"
     };

@@ -8,23 +8,25 @@ use crate::kernel::{Declaration, Subject, SubjectError};
 const FIRST: f64 = 0.5;
 const NEXT: f64 = 0.25;
 
-/// The subjects before a background; `None` of a kernel that takes none, and over grids, where the medium is what is refined.
+/// The subjects before their own background, or one for all that have none; before nothing where a kernel takes none, and
+/// over grids, where the medium is what is refined.
 pub(super) fn before(
     subjects: &[Subject],
     declaration: &Declaration,
     settings: &Settings,
-) -> Result<Option<Vec<Subject>>, SubjectError> {
-    if !declaration.background || settings.axis == Axis::Grid {
-        return Ok(None);
-    }
+) -> Result<Vec<Subject>, SubjectError> {
+    let is_given = declaration.background && settings.axis == Axis::Step;
     let before = |subject: &Subject| {
+        let subject = subject.clone();
+        if !is_given {
+            return Ok(subject.before_nothing());
+        }
+        if !subject.background().is_empty() {
+            return Ok(subject);
+        }
         let channels = 0..subject.channels().len();
         let background = channels.map(|channel| FIRST + NEXT * channel as f64);
-        subject.clone().before(background.collect())
+        subject.before(background.collect())
     };
-    subjects
-        .iter()
-        .map(before)
-        .collect::<Result<_, _>>()
-        .map(Some)
+    subjects.iter().map(before).collect()
 }

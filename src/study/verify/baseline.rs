@@ -310,6 +310,8 @@ impl Baseline {
         for line in &now_all.lines {
             match self.lines.iter().find(|before| before.name == line.name) {
                 Some(before) => moved.extend(before.moved(line)),
+                // What was not measured then has not moved.
+                None if self.is_older_than(line) => {}
                 None => moved.push(Moved {
                     name: line.name.clone(),
                     before: "not there".into(),
@@ -407,6 +409,28 @@ impl Baseline {
             better: true,
         }));
         moved
+    }
+
+    /// Whether it has no line of the quantity of this one: it is from before that was measured.
+    fn is_older_than(&self, line: &BaselineLine) -> bool {
+        let quantity = |line: &BaselineLine| {
+            let name = line.name.split_once(':');
+            name.map(|(_, quantity)| quantity.to_string())
+        };
+        let of_line = quantity(line);
+        of_line.is_some() && !self.lines.iter().any(|before| quantity(before) == of_line)
+    }
+
+    /// Lines of quantities that it is older than and that contradict now.
+    #[must_use]
+    pub fn not_measured(&self, now: &Verification) -> Vec<String> {
+        let lines = now.lines.iter().filter(|line| {
+            let contradicts = matches!(line.standing, Standing::Contradicted | Standing::Failed);
+            contradicts && self.is_older_than(&BaselineLine::new(line))
+        });
+        lines
+            .map(|line| format!("{}: {}", line.name, line.standing))
+            .collect()
     }
 
     /// What an older baseline says nothing of: deviations that are there now.

@@ -36,7 +36,13 @@ pub(super) fn of(
     }
     let is_other = wanted.quantity != Quantity::Radiance || wanted.background != 0.0;
     if is_other && let Some(method) = declaration.method {
-        return Some(of_other(&method, wanted, declaration, &structure, &general));
+        return Some(of_other(
+            &method,
+            wanted,
+            (declaration, settings),
+            &structure,
+            &general,
+        ));
     }
     match (declaration.method, declaration.order) {
         (Some(method), _) if declaration.form == FormKind::Volume => {
@@ -57,20 +63,23 @@ pub(super) fn of(
 /// What is expected of another quantity than the radiance of a method, or of one before a background.
 ///
 /// A composite has the opacity that its weights add up to, which is a radiance like others, lets through as much of a
-/// background as is left, and sums its depth by a rule. Of
-/// other methods, and of a mean depth, which may be taken at other places than the samples, nobody knows how a kernel makes
-/// them: the order of the method is the least that may show.
+/// background as is left, and sums its depth by a rule. Of other methods, and of a mean depth, which may be taken at other
+/// places than the samples, nobody knows how a kernel makes them: the order of the method is the least that may show.
 fn of_other(
     method: &Method,
     wanted: &Wanted,
-    declaration: &Declaration,
+    (declaration, settings): (&Declaration, &Settings),
     structure: &Structure,
     general: &dyn Fn(f64) -> Expected,
 ) -> Expected {
     let of_samples = declaration.form != FormKind::Volume && !declaration.far_wall;
     match (wanted.quantity, method) {
         (Quantity::Radiance | Quantity::Opacity, Method::Composited(_)) if of_samples => {
-            expected(method, &wanted.case)
+            if settings.steps == Steps::Divide {
+                expected_on(method, &wanted.case, &settings.ladder)
+            } else {
+                expected(method, &wanted.case)
+            }
         }
         (Quantity::OpticalDepth, Method::Composited(compositing)) if of_samples => {
             match depth_rule(compositing) {

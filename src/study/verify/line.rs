@@ -140,9 +140,20 @@ impl Line {
     /// Whether it shows the order, no error at all, or no larger one than methods have.
     #[must_use]
     pub fn is_shown(&self) -> bool {
-        self.standing == Standing::Confirmed
-            || self.is_as_good
-            || self.measured.verdict() == Verdict::Exact
+        self.standing == Standing::Confirmed || self.is_as_good || self.is_right_to_rounding()
+    }
+
+    /// Whether no level has an error that is more than rounding.
+    fn is_right_to_rounding(&self) -> bool {
+        let Measured::Fitted { samples, .. } = &self.measured else {
+            return false;
+        };
+        let is_rounding = |sample: &Sample| {
+            let margin = Float::with_val(sample.floor.prec(), FLOOR_MARGIN * &sample.floor);
+            // NaN is no rounding.
+            Float::with_val(margin.prec(), sample.error.abs_ref()) <= margin
+        };
+        !samples.is_empty() && samples.iter().all(is_rounding)
     }
 
     /// Whether every level was answered.

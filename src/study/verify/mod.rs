@@ -265,8 +265,7 @@ pub fn verify(
     let declaration = kernel.declaration().clone();
     declaration.check()?;
     let settings = &settings.suited(&declaration)?;
-    let lit = background::before(subjects, &declaration, settings)?;
-    let subjects = lit.as_deref().unwrap_or(subjects);
+    let subjects = &background::before(subjects, &declaration, settings)?[..];
     let mut lines = Vec::new();
     let mut unanswered = 0;
     let mut seeds = Seeds::new(settings.replicas);

@@ -2,13 +2,18 @@
 //! the grid to that of the case.
 
 use super::{SMOOTH, composite, part, run, samples, settings, shown, subjects};
+use rug::Float;
 use volver::case::Case;
 use volver::convergence::Verdict;
-use volver::kernel::{Closure, Data, Declaration, FormKind, Kernel, Subject, Task, Volume};
+use volver::kernel::{
+    Closure, Data, Declaration, FormKind, Kernel, KernelError, Quantity, Rendering, Subject, Task,
+    Volume,
+};
 use volver::reference;
 use volver::study::Silent;
 use volver::study::verify::{
-    Axis, Conclusion, GRID_SEGMENTS, Line, Settings, Standing, Verification, VerifyError, verify,
+    Axis, Conclusion, GRID_SEGMENTS, Identify, Line, Settings, Standing, Verification, VerifyError,
+    verify,
 };
 
 /// Pieces that every stretch between knots is cut into.
@@ -315,4 +320,93 @@ fn only_volumes_have_a_grid() {
     let refused = verify(&mut kernel, &subjects, &settings, &Silent, &mut |_| ());
     let form = FormKind::Segments;
     assert_eq!(refused.unwrap_err(), VerifyError::Axis { form });
+}
+
+/// Samples in the middles of segments of a volume, and all that they add up to before a background.
+#[derive(Debug)]
+struct AllOfVolume(Declaration);
+
+impl Kernel for AllOfVolume {
+    fn declaration(&self) -> &Declaration {
+        &self.0
+    }
+
+    fn render(&mut self, task: &Task<'_>) -> Result<Rendering, KernelError> {
+        let Data::Volume(volume) = task.data else {
+            panic!("a volume is asked for");
+        };
+        let length = task.subject.length().to_f64();
+        let channels = task.subject.channels().len();
+        let mut radiance = vec![0.0; channels];
+        let (mut depth, mut weighted) = (0.0_f64, 0.0);
+        for i in 0..task.segments {
+            let lambda = (i as f64 + 0.5) * task.step;
+            let cells = (volume.field.len() - 1) as f64;
+            let place = entry(volume, linear(&volume.field, lambda / length * cells));
+            let (extinction, _) = transfer(volume, 0, place);
+            let weight = (-depth).exp() * -(-extinction * task.step).exp_m1();
+            for (channel, sum) in radiance.iter_mut().enumerate() {
+                *sum += weight * transfer(volume, channel, place).1;
+            }
+            weighted += weight * lambda;
+            depth += extinction * task.step;
+        }
+        for (sum, behind) in radiance.iter_mut().zip(task.subject.background()) {
+            *sum += (-depth).exp() * behind;
+        }
+        let float = |x: f64| Float::with_val(53, x);
+        Ok(Rendering {
+            radiance: radiance.into_iter().map(float).collect(),
+            opacity: Some(float(-(-depth).exp_m1())),
+            optical_depth: Some(float(depth)),
+            expected_depth: Some(float(weighted)),
+            ..Rendering::default()
+        })
+    }
+}
+
+#[test]
+fn other_quantities_are_those_of_the_volume_too() {
+    let subjects = subjects(&SMOOTH);
+    let settings = Settings {
+        entries: 4096,
+        identify: Identify::Off,
+        ..settings("8..256")
+    };
+    for declaration in [claimed(2.0), super::declared("front-to-back/middle/expm1")] {
+        let mut kernel = AllOfVolume(Declaration {
+            form: FormKind::Volume,
+            background: true,
+            answers: Quantity::ALL.to_vec(),
+            ..declaration
+        });
+        let verification = run(&mut kernel, &subjects, &settings);
+        let shown = shown(&verification);
+        assert_eq!(verification.conclusion(), Conclusion::Confirmed, "{shown}");
+        for quantity in Quantity::ALL {
+            let standing = |standing: Standing| {
+                let lines = verification.of(quantity);
+                lines.filter(|line| line.standing == standing).count()
+            };
+            // Where τ is linear between grid points middles have no error of the depth.
+            let linear = matches!(quantity, Quantity::Opacity | Quantity::OpticalDepth);
+            let least = if linear { 2 } else { 4 };
+            assert!(standing(Standing::Confirmed) >= least, "{quantity} {shown}");
+            assert_eq!(standing(Standing::Contradicted), 0, "{quantity} {shown}");
+        }
+        // The field of this case is not linear: neither its depth nor its opacity is the volume's.
+        let ray = &subjects[1];
+        assert_eq!(ray.name(), "decaying-field");
+        let of_case = reference::optical_depth(&ray.cases()[0], 100)
+            .unwrap()
+            .value;
+        let mut depths = verification.of(Quantity::OpticalDepth);
+        let line = depths
+            .find(|line| line.name.starts_with("decaying-field"))
+            .unwrap();
+        assert!(
+            (line.exact.to_f64() / of_case.to_f64() - 1.0).abs() > 1e-4,
+            "{shown}"
+        );
+    }
 }

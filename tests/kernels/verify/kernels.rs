@@ -185,6 +185,27 @@ fn all_that_an_example_answers_is_measured() {
     verify(&["--identify", "off"], &divided).with_code(0);
     let behind = [&kernel[..], &["--background"]].concat();
     verify(&[], &behind).with_code(0).shows(MIDDLE);
+    // A case's own background, in place of volver's: clear air before a surface of 1/4, and what glows a little.
+    let folder = tempfile::tempdir().unwrap();
+    let file = folder.path().join("air.toml");
+    let air = "name = 'air'\nlength = 2\ndepth = 'lambda^2/8'\nemission_of_depth = '1/10'\nbackground = '1/4'\n";
+    fs::write(&file, air).unwrap();
+    let options = [
+        "verify",
+        "--identify",
+        "off",
+        "--json",
+        "-",
+        "--cases",
+        file.to_str().unwrap(),
+    ];
+    let radiance = |more: &[&str]| {
+        let run = volver(&[&options[..], &kernel, more].concat()).with_code(0);
+        run.json()["lines"][0]["exact"].as_f64().unwrap()
+    };
+    let passes = (-0.5_f64).exp();
+    assert!((radiance(&["--background"]) - (0.1 * (1.0 - passes) + 0.25 * passes)).abs() < 1e-15);
+    assert!((radiance(&[]) - 0.1 * (1.0 - passes)).abs() < 1e-15);
     let depth = [&kernel[..], &["--only", "optical_depth"]].concat();
     let run = verify(&[], &depth).with_code(0);
     assert!(
@@ -248,6 +269,27 @@ fn quantities_stand_in_json_junit_and_baseline() {
         "{xml}"
     );
     assert!(xml.contains("tests=\"13\""), "{xml}");
+    // A baseline from before opacities were measured has not moved; what contradicts is told.
+    let mut kept: Value = serde_json::from_str(&fs::read_to_string(&base).unwrap()).unwrap();
+    let lines = kept["lines"].as_array_mut().unwrap();
+    lines.retain(|line| !line["name"].as_str().unwrap().contains(':'));
+    let older = at("older.json");
+    fs::write(&older, kept.to_string()).unwrap();
+    let check_older = |kernel: &[&str]| {
+        let command = ["check", "--quiet", &older];
+        volver(&[&command[..], kernel].concat()).with_code(0)
+    };
+    assert_eq!(
+        check_older(&["python3", &script]).out,
+        "nothing has moved\n"
+    );
+    let fixture = in_repository("tests/kernels/verify/kernel.py");
+    let wrong = ["python3", "-S", &fixture, "--claim", r#"{"opacity":0.5}"#];
+    let run = check_older(&wrong);
+    run.shows(
+        "found: cloud:opacity: contradicted (the baseline has no such quantity: save it anew)",
+    );
+    run.shows("nothing has moved");
     // Another depth than was kept has moved, and nothing else.
     let check = |more: &[&str]| {
         let kernel = [&["check", "--quiet", &base, "python3", &script], more].concat();

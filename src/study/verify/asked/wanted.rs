@@ -34,10 +34,10 @@ pub(in crate::study::verify) struct Wanted {
     pub(in crate::study::verify) weights: DepthWeights,
     /// The ray as it is, by itself.
     pub(in crate::study::verify) ray: SymbolicCase,
-    /// The ray lit so that its radiance is the quantity, before anything is divided or behind it. Of an optical depth C = e^t, so that
-    /// C τ e^(−t) = τ, which theory is asked about.
+    /// The ray lit so that its radiance is the quantity, before anything is divided or behind it. Of an optical depth
+    /// C = e^t, so that C τ e^(−t) = τ, which theory is asked about.
     pub(in crate::study::verify) case: SymbolicCase,
-    /// The ray lit evenly, whose radiance is the opacity.
+    /// Where it is divided by the opacity: the ray lit evenly, whose radiance that is.
     even: Option<SymbolicCase>,
 }
 
@@ -96,9 +96,11 @@ impl Wanted {
             (Quantity::OpticalDepth, Some(depth)) => depth.exp(),
             (Quantity::Radiance | Quantity::Opacity | Quantity::OpticalDepth, _) => one.clone(),
         };
+        let is_divided = is_divided(quantity, weights);
+        let even = is_divided.then(|| lit(ray, &name, &one)).transpose();
         Ok(Wanted {
             case: lit(ray, &name, &emission).map_err(failed)?,
-            even: Some(lit(ray, &name, &one).map_err(failed)?),
+            even: even.map_err(failed)?,
             quantity,
             channel: 0,
             background: 0.0,
@@ -110,7 +112,7 @@ impl Wanted {
 
     /// Whether it is Σ w λ / Σ w.
     pub(in crate::study::verify) fn is_divided(&self) -> bool {
-        self.quantity == Quantity::ExpectedDepth && self.weights == DepthWeights::ByOpacity
+        is_divided(self.quantity, self.weights)
     }
 
     /// What was answered.
@@ -152,12 +154,16 @@ impl Wanted {
                 .collect();
         }
         let methods = peers::methods(order).into_iter();
-        let run = |method| match (&self.even, self.is_divided()) {
-            (Some(even), true) => Run::Divided(&self.case, even, method),
-            _ => Run::Radiance(&self.case, method, self.background),
+        let run = |method| match &self.even {
+            Some(even) => Run::Divided(&self.case, even, method),
+            None => Run::Radiance(&self.case, method, self.background),
         };
         methods.map(run).collect()
     }
+}
+
+fn is_divided(quantity: Quantity, weights: DepthWeights) -> bool {
+    quantity == Quantity::ExpectedDepth && weights == DepthWeights::ByOpacity
 }
 
 /// Rules for an optical depth.

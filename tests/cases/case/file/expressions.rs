@@ -17,6 +17,24 @@ fn numbers() {
         (&length("-inf"), 2, 10, &float("length", "-inf")),
         (&length("0"), 2, 10, "a length of '0' (allowed: above 0)"),
         (
+            &slab("background = '-1/2'"),
+            5,
+            14,
+            "a background of '-1/2' (allowed: 0 to 1e12)",
+        ),
+        (
+            &slab("background = '1e13'"),
+            5,
+            14,
+            "a background of '10000000000000' (allowed: 0 to 1e12)",
+        ),
+        (
+            &slab("background = 0.5"),
+            5,
+            14,
+            &float("background", "0.5"),
+        ),
+        (
             &length("'-1/3'"),
             2,
             10,

@@ -71,7 +71,7 @@ fn keys_that_mean_nothing() {
             5,
             1,
             "unknown key 'colour' (allowed: name, title, tags, derivation, length, field, inverse, depth, \
-             extinction, radiance, emission, emission_of_depth, parameters, channels)",
+             extinction, radiance, emission, emission_of_depth, background, parameters, channels)",
         ),
         (
             &slab("  \"a\\nb\" = 1"),
@@ -83,7 +83,7 @@ fn keys_that_mean_nothing() {
             &instead("depth = '0'\n[channels.red]\nradiance = '0'\ndepth = '0'"),
             6,
             1,
-            "unknown key 'channels.red.depth' (allowed: radiance, emission, emission_of_depth)",
+            "unknown key 'channels.red.depth' (allowed: radiance, emission, emission_of_depth, background)",
         ),
     ]);
 }
