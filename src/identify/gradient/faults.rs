@@ -1,7 +1,7 @@
 //! Which term of a gradient is wrong.
 
 use super::Ray;
-use super::own::{Entry, Side};
+use super::own::{Entry, ROUNDINGS, Side};
 use crate::identify::deviation::Deviation;
 use crate::identify::number::simplest;
 use crate::identify::precision::Precision;
@@ -139,7 +139,9 @@ impl One<'_> {
     }
 
     fn is(&self, wanted: f64, unit: f64) -> bool {
-        (self.got - wanted).abs() <= self.tolerance(unit)
+        // A wrong term may be larger than the right one.
+        let rounding = ROUNDINGS * unit * wanted.abs();
+        (self.got - wanted).abs() <= self.tolerance(unit) + rounding
     }
 
     /// No answer where there is one to give.
@@ -174,7 +176,9 @@ fn one_side(all: &[Ray], sides: &[Side], candidates: &[Candidate], unit: f64) ->
         );
         return Some(deviation("gradient-not-finite", None, None, does));
     }
-    every.retain(|one| one.entry.truth(one.side).is_some());
+    every.retain(|one| {
+        one.entry.truth(one.side).is_some() && !one.entry.is_at_rest(one.side, one.got)
+    });
     if every.iter().all(|one| one.is(one.truth(), unit)) {
         return None;
     }
@@ -182,7 +186,6 @@ fn one_side(all: &[Ray], sides: &[Side], candidates: &[Candidate], unit: f64) ->
         let does = format!("all derivatives by {by} are exactly 0, and the radiances change");
         return Some(deviation("gradient-zero", None, None, does));
     }
-    // Zero slope where nothing absorbs, and nowhere else, is a rectifier's.
     lost(&every, by, unit)
         .or_else(|| scaled(&every, by, &|one| one.truth(), unit))
         .or_else(|| {
@@ -295,10 +298,12 @@ fn lost(every: &[One<'_>], by: &str, unit: f64) -> Option<Deviation> {
             does,
         ));
     }
-    let holds = |one: &&&One<'_>| one.entry.extinction * one.entry.length > 1e-6;
-    if is_right && gone.iter().filter(holds).count() == 0 {
-        // A rectifier has every slope from 0 to its own there.
-        return None;
+    if is_right && let Some(bracket) = border(&|entry| entry.extinction * entry.length) {
+        let under = shown(bracket);
+        let does = format!(
+            "derivatives by {by} are 0 where the depth of a segment is under {under:?}, and the radiance changes"
+        );
+        return Some(deviation("gradient-thin", Some(under), Some(bracket), does));
     }
     None
 }

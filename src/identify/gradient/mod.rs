@@ -150,7 +150,8 @@ fn judged(all: &[Ray], unit: f64) -> GradientFound {
     for ray in all {
         for side in ray.sides() {
             for (at, (entry, got)) in ray.of(side).enumerate() {
-                let Some(truth) = entry.truth(side) else {
+                let truth = entry.truth(side);
+                let Some(truth) = truth.filter(|_| !entry.is_at_rest(side, got)) else {
                     found.left_out += 1;
                     continue;
                 };

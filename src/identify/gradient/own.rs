@@ -47,12 +47,14 @@ pub(super) struct Entry {
 }
 
 /// Roundings of a derivative: some tens of operations.
-const ROUNDINGS: f64 = 256.0;
+pub(super) const ROUNDINGS: f64 = 256.0;
 /// The half-width of central differences, as a part of the extinction, or of what has that depth.
 const PART: f64 = 0.02;
 const LEAST: f64 = 0.05;
 /// What lets nothing through.
 const OPAQUE: f64 = 1e4;
+/// A depth so near to 0 is at the kink of a rectifier.
+const REST: f64 = 1e-6;
 /// Slopes on both sides that differ by more than this part belong to a kink.
 const KINK: f64 = 0.3;
 
@@ -63,6 +65,11 @@ impl Entry {
             Side::Extinction => self.by_extinction,
             Side::Emission(channel) => self.by_emission.get(channel).copied(),
         }
+    }
+
+    /// Whether it is no slope where nothing absorbs: a rectifier has every slope from 0 to its own there.
+    pub(super) fn is_at_rest(&self, side: Side, got: f64) -> bool {
+        side == Side::Extinction && got == 0.0 && self.extinction * self.length <= REST
     }
 
     /// The cotangent of a channel; 1 for what is summed over all.

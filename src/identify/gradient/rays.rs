@@ -75,7 +75,7 @@ const MAKES: [Make; 7] = [
         name: "another ray",
         n: 9,
         step: 0.35,
-        depths: [0.02, 1.4],
+        depths: [1e-4, 1.4],
         inside: Some(4.8),
         held_out: true,
     },

@@ -3,7 +3,8 @@
 use rug::Float;
 use volver::identify::{Budget, GradientFound, gradients};
 use volver::kernel::{
-    Data, Declaration, Gradient, GradientAt, Kernel, KernelError, Rendering, Task,
+    Data, Declaration, Gradient, GradientAt, Kernel, KernelError, Rendering, Samples, Segments,
+    Task,
 };
 use volver::real::FormatName;
 
@@ -32,6 +33,12 @@ enum Fault {
     NotFinite,
     Unattenuated,
     Cotangents,
+    /// No slope below a depth.
+    Thin(f64),
+    /// As `Factor`, and its own light.
+    Both(f64),
+    /// A part of the derivative that grows with the place.
+    Drift,
 }
 use Fault::*;
 
@@ -41,6 +48,8 @@ struct March {
     declaration: Declaration,
     fault: Fault,
     single: bool,
+    /// Samples in front, which are ends of segments.
+    front: bool,
 }
 
 impl March {
@@ -52,11 +61,20 @@ impl March {
             },
             fault,
             single: false,
+            front: false,
         }
     }
 
     fn round(&self, x: f64) -> f64 {
         if self.single { f64::from(x as f32) } else { x }
+    }
+
+    fn samples<'s>(&self, segments: &'s Segments) -> &'s Samples {
+        if self.front {
+            &segments.edges
+        } else {
+            &segments.middles
+        }
     }
 
     /// (d, α) of every segment.
@@ -69,7 +87,7 @@ impl March {
             .lambda
             .windows(2)
             .map(|ends| ends[1] - ends[0]);
-        let both = lengths.zip(&segments.middles.extinction);
+        let both = lengths.zip(&self.samples(segments).extinction);
         both.map(|(d, tau)| {
             let opacity = self.round(-(-tau * d).exp_m1());
             match self.fault {
@@ -98,7 +116,7 @@ impl Kernel for March {
             Float::with_val(53, sum)
         };
         Ok(Rendering {
-            radiance: segments.middles.emission.iter().map(of).collect(),
+            radiance: self.samples(segments).emission.iter().map(of).collect(),
             ..Rendering::default()
         })
     }
@@ -111,7 +129,8 @@ impl Kernel for March {
         let rendering = self.render(task)?;
         let layers = self.layers(task);
         let segments = task.cut().expect("segments were declared");
-        let (emission, taus) = (&segments.middles.emission, &segments.middles.extinction);
+        let samples = self.samples(segments);
+        let (emission, taus) = (&samples.emission, &samples.extinction);
         let n = layers.len();
         let seen = |i: usize| -> f64 {
             let both = emission.iter().zip(cotangents);
@@ -143,6 +162,9 @@ impl Kernel for March {
                 Detached => 0.0,
                 DetachedTransmittance => d * front * left * seen(i),
                 NotFinite if taus[i] == 0.0 => f64::NAN,
+                Thin(under) if taus[i] * d <= under => 0.0,
+                Both(factor) => factor * d * (front * left * seen(i) - behind - own),
+                Drift => d * (front * left * seen(i) - behind) * (1.0 + 1e-3 * i as f64),
                 // The value's opacity is cut; the derivative knows nothing of it.
                 ThroughClamp(_) => d * left * (front * seen(i) - behind / (1.0 - opacity)),
                 _ => d * (front * left * seen(i) - behind),
@@ -215,6 +237,7 @@ fn the_wrong_term_is_named() {
         (NotFinite, "gradient-not-finite", None),
         (Unattenuated, "gradient-emission-unattenuated", None),
         (Cotangents, "gradient-cotangents", None),
+        (Thin(3e-3), "gradient-thin", Some(3e-3)),
     ];
     for (fault, name, value) in all {
         let found = found(March::new(fault));
@@ -228,5 +251,31 @@ fn the_wrong_term_is_named() {
             }
             (value, _) => assert_eq!(deviation.value, value, "{fault:?}"),
         }
+    }
+}
+
+#[test]
+fn a_rectifier_at_rest_is_left_out_and_counted() {
+    let found = found(March::new(Thin(0.0)));
+    assert!(found.is_right(), "{found:?}");
+    assert_eq!(found.left_out, 1);
+}
+
+#[test]
+fn gradients_by_the_ends_of_segments_may_leave_the_last_one_out() {
+    let mut march = March::new(Nothing);
+    march.front = true;
+    march.declaration.gradient = Some(GradientAt::Edges);
+    let found = found(march);
+    assert!(found.is_right(), "{found:?}");
+}
+
+#[test]
+fn what_is_wrong_in_no_known_way_has_no_name_but_is_wrong() {
+    for fault in [Both(1.01), Drift] {
+        let found = found(March::new(fault));
+        assert!(found.deviations.is_empty(), "{fault:?}: {found:?}");
+        assert!(!found.is_right(), "{fault:?}");
+        assert!(found.worst.is_some(), "{fault:?}");
     }
 }
