@@ -317,7 +317,7 @@ fn passed_through(every: &[One<'_>], unit: f64) -> Option<Deviation> {
         .iter()
         .filter(|one| !one.is(one.truth(), unit))
         .collect();
-    if !wrong.iter().all(|one| is_flat(&one)) {
+    if !wrong.iter().all(is_flat) {
         return None;
     }
     let least = wrong

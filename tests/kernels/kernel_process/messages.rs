@@ -10,8 +10,8 @@ use volver::inside::kernel::{
 };
 use volver::kernel::process::schema;
 use volver::kernel::{
-    Data, Declaration, DepthWeights, FormKind, KernelError, Quantity, Rendering, Sampling, Subject,
-    Task,
+    Data, Declaration, DepthWeights, FormKind, KernelError, Quantity, Rendering, Samples, Sampling,
+    Segments, Subject, Task,
 };
 use volver::real::FormatName;
 use volver::symbolic::code::Language;
@@ -483,4 +483,98 @@ fn the_schema_kept_is_that_of_the_messages() {
         kept, now,
         "volver schema protocol > docs/protocol.schema.json"
     );
+}
+
+#[test]
+fn a_gradient_has_as_many_numbers_as_there_are_values() {
+    let hello = |more: &str| {
+        let hello =
+            format!(r#"{{"type":"hello","protocol":2,"name":"k","form":"segments",{more}}}"#);
+        read_greeting(hello.as_bytes())
+    };
+    let middles = hello(r#""gradient":"middles""#).unwrap();
+    let edges = hello(r#""gradient":"edges""#).unwrap();
+    let segments = Segments {
+        edges: Samples {
+            lambda: vec![0.0, 0.5, 1.0],
+            ..Samples::default()
+        },
+        middles: Samples {
+            lambda: vec![0.25, 0.75],
+            extinction: vec![1.0, 1.0],
+            ..Samples::default()
+        },
+    };
+    let task = Task {
+        subject: &*SUBJECT,
+        step: 0.5,
+        segments: 2,
+        seed: 0,
+        data: Data::Segments(&segments),
+    };
+    let said = |greeting: &Greeting, gradient: &str, asked: bool| {
+        let line =
+            format!(r#"{{"type":"answer","id":7,"results":[{{"radiance":[1]{gradient}}}]}}"#);
+        let mut results = read_answer(line.as_bytes(), 7, &[&task], greeting, asked).ok()?;
+        Some(results.remove(0).map_err(|error| error.to_string()))
+    };
+    let of = |tau: &str, emission: &str| {
+        format!(r#","gradient":{{"extinction":{tau},"emission":{emission}}}"#)
+    };
+    let right = said(&middles, &of("[1,2]", "[[3,4]]"), true)
+        .unwrap()
+        .unwrap();
+    assert_eq!(right.gradient.unwrap().emission[0][1], 4);
+    // Ends may be as many as the segments, or one more.
+    for tau in ["[1,2]", "[1,2,0]"] {
+        let padded = said(&edges, &of(tau, "[[3,4,0]]"), true).unwrap().unwrap();
+        assert_eq!(padded.gradient.unwrap().extinction.len(), 3);
+    }
+    for (greeting, gradient, asked, problem) in [
+        (
+            &middles,
+            of("[1]", "[[3,4]]"),
+            true,
+            "a gradient with 1 numbers of extinction (allowed: 2)",
+        ),
+        (
+            &middles,
+            of("[1,2]", "[[3]]"),
+            true,
+            "a gradient with 1 numbers of emission (allowed: 2)",
+        ),
+        (
+            &middles,
+            of("[1,2]", "[]"),
+            true,
+            "a gradient with 0 numbers of channels of emission (allowed: 1)",
+        ),
+        (
+            &edges,
+            of("[1,2,3,4]", "[[3,4]]"),
+            true,
+            "a gradient with 4 numbers of extinction (allowed: 3)",
+        ),
+        (
+            &middles,
+            String::new(),
+            true,
+            "no 'gradient' (allowed: where the task has cotangents)",
+        ),
+        (
+            &middles,
+            of("[1,2]", "[[3,4]]"),
+            false,
+            "an unasked 'gradient' (allowed: where the task has cotangents)",
+        ),
+    ] {
+        let error = said(greeting, &gradient, asked).unwrap().unwrap_err();
+        assert_eq!(error, problem);
+    }
+    // A gradient of another form, or in the first version, is refused.
+    let old = br#"{"type":"hello","protocol":1,"name":"k","form":"segments","gradient":"middles"}"#;
+    assert!(read_greeting(old).is_err());
+    let volume =
+        br#"{"type":"hello","protocol":2,"name":"k","form":"volume","gradient":"middles"}"#;
+    assert!(read_greeting(volume).is_err());
 }
