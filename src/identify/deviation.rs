@@ -177,8 +177,10 @@ const TOGETHER: &str = "several rays in one request";
 const DRIFT: &str = "earlier-rays";
 const DRIFTS: &str = "an answer depends on the rays asked before";
 
-/// Deviations that no single ray shows: what answers depend on beside the question.
-const OF_STATE: [&str; 8] = [
+/// Deviations that no single ray shows: what answers depend on beside the question, and how few digits they have.
+const OF_MANY_RAYS: [&str; 10] = [
+    "format",
+    "digits",
     DRIFT,
     "first-answer",
     "previous-answer",
@@ -192,7 +194,7 @@ const OF_STATE: [&str; 8] = [
 impl Deviation {
     /// Whether one ray may show it.
     pub(super) fn shows_on_one_ray(&self) -> bool {
-        !OF_STATE.contains(&self.name)
+        !OF_MANY_RAYS.contains(&self.name)
     }
 }
 

@@ -149,6 +149,7 @@ fn all_deviations(
             opacity,
         ));
     }
+    all.extend(precision::deviation(found, declaration));
     let kinds = found.hold_out.kinds.iter().filter(|kind| kind.holds());
     let kinds: Vec<String> = kinds.map(|kind| kind.name.clone()).collect();
     for deviation in &mut all {
@@ -158,7 +159,6 @@ fn all_deviations(
         all.extend(scattered.deviations(found));
     }
     let excused = |deviation: &Deviation| declaration.stochastic && deviation.name == "seed";
-    all.extend(precision::deviation(found, declaration));
     all.extend(misbehaviour(found).into_iter().filter(|d| !excused(d)));
     all
 }
