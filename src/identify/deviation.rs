@@ -178,7 +178,9 @@ const DRIFT: &str = "earlier-rays";
 const DRIFTS: &str = "an answer depends on the rays asked before";
 
 /// Deviations that no single ray shows: what answers depend on beside the question, and how few digits they have.
-const OF_MANY_RAYS: [&str; 10] = [
+const OF_MANY_RAYS: [&str; 12] = [
+    "batch-step",
+    "batch-padding",
     "format",
     "digits",
     DRIFT,
@@ -263,6 +265,16 @@ fn of_state(
             "carried-transmittance",
             TOGETHER,
             "a ray goes on with the transmittance of the one before in its request",
+        )),
+        Batch::FirstStep => Some(plain(
+            "batch-step",
+            TOGETHER,
+            "all rays of a request have the step of the first",
+        )),
+        Batch::Padding => Some(plain(
+            "batch-padding",
+            TOGETHER,
+            "a ray that is shorter than another of its request has another answer than alone",
         )),
         Batch::Differs => Some(plain(
             "batch",

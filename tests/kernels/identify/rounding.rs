@@ -3,7 +3,9 @@
 
 use rug::Float;
 use std::collections::HashMap;
-use volver::identify::{Accumulation, Budget, Examined, Name, Precision, Repeat, Verdict, examine};
+use volver::identify::{
+    Accumulation, Batch, Budget, Examined, Name, Precision, Repeat, Verdict, examine,
+};
 use volver::kernel::{Data, Declaration, Kernel, KernelError, Rendering, Task};
 use volver::real::FormatName;
 
@@ -253,6 +255,83 @@ fn transmittances_by_subtraction_are_seen_and_hide_no_rule() {
             assert_eq!(found.verdict(), Verdict::Right, "{format} {subtracts}");
             assert_eq!(found.found.parts.subtracts, subtracts, "{format}");
         }
+    }
+}
+
+/// What becomes of a ray that is asked among others.
+type Among = fn(&mut March, &[Task<'_>], usize) -> Result<Rendering, KernelError>;
+
+/// A kernel that looks at the other rays of a request.
+#[derive(Debug)]
+struct Batched {
+    march: March,
+    among: Among,
+}
+
+impl Kernel for Batched {
+    fn declaration(&self) -> &Declaration {
+        self.march.declaration()
+    }
+
+    fn render(&mut self, task: &Task<'_>) -> Result<Rendering, KernelError> {
+        (self.among)(&mut self.march, std::slice::from_ref(task), 0)
+    }
+
+    fn render_all(&mut self, tasks: &[Task<'_>]) -> Vec<Result<Rendering, KernelError>> {
+        let all = 0..tasks.len();
+        all.map(|k| (self.among)(&mut self.march, tasks, k))
+            .collect()
+    }
+}
+
+/// Ends of segments by the step, as far as the ray goes.
+fn stepped(march: &mut March, task: &Task<'_>, step: f64) -> Result<Rendering, KernelError> {
+    let mut segments = task.cut().expect("segments were declared").clone();
+    let length = segments.edges.lambda[segments.count()];
+    for (i, lambda) in segments.edges.lambda.iter_mut().enumerate() {
+        *lambda = (i as f64 * step).min(length);
+    }
+    march.render(&Task {
+        data: Data::Segments(&segments),
+        ..*task
+    })
+}
+
+#[test]
+fn rays_of_one_request_that_are_not_alone_are_told_apart() {
+    let alone: Among = |march, tasks, k| march.render(&tasks[k]);
+    let first_step: Among = |march, tasks, k| stepped(march, &tasks[k], tasks[0].step);
+    let padded: Among = |march, tasks, k| {
+        let mut rendering = march.render(&tasks[k])?;
+        let longest = tasks.iter().map(|task| task.segments).max();
+        if longest > Some(tasks[k].segments) {
+            for radiance in &mut rendering.radiance {
+                *radiance += 0.01;
+            }
+        }
+        Ok(rendering)
+    };
+    let summed: Among = |march, tasks, k| {
+        let mut rendering = march.render(&tasks[k])?;
+        for radiance in &mut rendering.radiance {
+            *radiance *= 1.0 + 0.1 * (tasks.len() - 1) as f64;
+        }
+        Ok(rendering)
+    };
+    for (among, batch, name) in [
+        (alone, Batch::Same, None),
+        (first_step, Batch::FirstStep, Some("batch-step")),
+        (padded, Batch::Padding, Some("batch-padding")),
+        (summed, Batch::Differs, Some("batch")),
+    ] {
+        let mut kernel = Batched {
+            march: March::new(FormatName::F64),
+            among,
+        };
+        let found = examine(&mut kernel, Budget::default(), &mut |_| ());
+        let names: Vec<_> = found.deviations.iter().map(|d| d.name).collect();
+        assert_eq!(found.found.state.map(|state| state.batch), Some(batch));
+        assert_eq!(names, name.into_iter().collect::<Vec<_>>(), "{batch:?}");
     }
 }
 
