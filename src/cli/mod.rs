@@ -7,6 +7,7 @@ mod case;
 mod cases;
 mod check;
 mod completions;
+mod extremes;
 mod failure;
 mod fit;
 mod identify;

@@ -3,7 +3,7 @@
 use super::about::about;
 use super::kernel::{KERNELS, KernelArguments, subjects};
 use super::output::{Output, is_dash};
-use super::{Bar, CLOSED_PIPE, Color, Failure, Outcome, width, write_out};
+use super::{Bar, CLOSED_PIPE, Color, Failure, Outcome, extremes, width, write_out};
 use clap::{Args, ValueEnum};
 use rug::Rational;
 use std::path::PathBuf;
@@ -32,13 +32,15 @@ LADDER is as for 'volver reproduce'. ORDER is 2, 1.5 or 3/2.
 Examples:
   volver verify method:front-to-back/middle/expm1
   volver verify --cases sine-squared,thick method:trapezoid/trapezoid@f32
-  volver verify --uneven --cases polynomial --json - method:tree/front/expm1";
+  volver verify --uneven --cases polynomial --json - method:tree/front/expm1
+  volver verify --extremes method:front-to-back/middle/subtraction@f32";
 
 /// Put a renderer's kernel to the test
 #[derive(Args)]
 #[command(override_usage = "volver verify [OPTIONS] <KERNEL> [ARGS]...")]
 #[command(after_help = format!("{KERNELS}\n\n{EXAMPLES}"))]
 #[allow(clippy::doc_markdown)] // Help is no Markdown.
+#[allow(clippy::struct_excessive_bools)] // Each is an option of its own.
 pub(crate) struct Verify {
     #[command(flatten)]
     kernel: KernelArguments,
@@ -70,6 +72,13 @@ pub(crate) struct Verify {
     /// Let a known deviation pass as long as it is that, repeatable: early-end=0.0039
     #[arg(long, value_name = "NAME[=VALUE]", value_parser = Accepted::from_str)]
     accept: Vec<Accepted>,
+    /// In place of orders, digits where numbers end: thin and thick rays, vacuum, tau below 0,
+    /// one segment
+    #[arg(long, conflicts_with_all = [
+        "cases", "ladder", "axis", "divide", "uneven", "expect", "replicas", "identify", "accept",
+        "junit", "save",
+    ])]
+    extremes: bool,
     /// Write one JSON document; - is standard output, without the table
     #[arg(long, value_name = "FILE")]
     json: Option<PathBuf>,
@@ -124,6 +133,9 @@ impl Verify {
     pub(crate) fn run(self) -> Result<Outcome, Failure> {
         let output = self.output();
         check_dashes(&output)?;
+        if self.extremes {
+            return extremes::run(&self.kernel, &output);
+        }
         let axis = match self.axis {
             RefinedAxis::Step => Axis::Step,
             RefinedAxis::Grid => Axis::Grid,

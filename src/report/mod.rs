@@ -11,6 +11,7 @@
 //! | [`nonsmooth`] | the table of jumps and kinks |
 //! | [`study`] | a study of errors and their parts |
 //! | [`verify`](mod@verify) | a kernel put to the test |
+//! | [`extremes`] | digits of a kernel at the extremes |
 //! | [`identify`] | what a kernel computes |
 //! | [`stress`] | digits and verdicts at the extremes |
 //! | [`tradeoff`] | error against cost |
@@ -27,6 +28,8 @@ pub mod cases;
 pub mod comparison;
 #[cfg(feature = "studies")]
 mod counts;
+#[cfg(feature = "studies")]
+pub mod extremes;
 #[cfg(feature = "studies")]
 pub mod fit;
 pub mod identify;

@@ -11,6 +11,7 @@
 )]
 
 mod assert;
+mod extremes;
 mod identify;
 mod itself;
 mod kernel;

@@ -13,6 +13,7 @@ use crate::render::{ReportError, write_document};
 use crate::study::stress::{Cell, Digits, GROUPS, Verdict};
 use grid::Grid;
 use std::path::{Path, PathBuf};
+pub(super) use words::whole;
 use words::{FIGURES, accusation, figure, occurring, omissions, short, summary};
 
 /// The name of the file with the maps of all methods.

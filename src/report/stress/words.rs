@@ -28,7 +28,7 @@ pub(super) fn figure(cell: &Cell) -> String {
 }
 
 /// Whole digits.
-fn whole(digits: Option<Digits>) -> String {
+pub(in crate::report) fn whole(digits: Option<Digits>) -> String {
     match digits {
         None => "?".into(),
         Some(Digits::Exact) => "=".into(),

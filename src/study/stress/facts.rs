@@ -42,7 +42,7 @@ pub(super) fn facts(medium: &Medium, n: u64, kind: Kind, approximation: &Float) 
     Facts {
         n: n as f64,
         uniform: medium.is_uniform(),
-        input: if matches!(medium, Medium::Ramp { .. }) {
+        input: if matches!(medium, Medium::Ramp { .. } | Medium::Polyline(_)) {
             4.0
         } else {
             1.0

@@ -30,7 +30,7 @@ pub(super) struct Ran {
 }
 
 /// `|Q_f − Q|/|Q|`; `None` where one is no number, or Q alone is 0.
-pub(super) fn relative_error(found: &Float, exact: &Float) -> Option<f64> {
+pub(in crate::study) fn relative_error(found: &Float, exact: &Float) -> Option<f64> {
     if !found.is_finite() || !exact.is_finite() {
         return None;
     }
@@ -46,7 +46,7 @@ pub(super) fn relative_error(found: &Float, exact: &Float) -> Option<f64> {
 }
 
 /// Correct digits of that relative error.
-pub(super) fn digits(error: f64) -> Digits {
+pub(in crate::study) fn digits(error: f64) -> Digits {
     if error == 0.0 {
         Digits::Exact
     } else {

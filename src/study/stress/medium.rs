@@ -15,6 +15,15 @@ pub struct Layer {
     pub emission: Rational,
 }
 
+/// τ at a place along the ray.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Knot {
+    /// λ.
+    pub place: Rational,
+    /// τ, below 0 too.
+    pub extinction: Rational,
+}
+
 /// What a transfer function returns in the back half of the ray.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Fault {
@@ -42,6 +51,8 @@ pub enum Medium {
         /// ds/dλ ≥ 0.
         slope: Rational,
     },
+    /// τ linear between knots, from λ = 0 to the end of the ray, and C = 1: the radiance is the opacity.
+    Polyline(Vec<Knot>),
     /// τ = C = 1 on [0, 1], but for a fault where λ > ½.
     Faulty(Fault),
 }
@@ -55,7 +66,7 @@ impl Medium {
     /// Where C or τ jump.
     pub(super) fn edges(&self) -> Vec<Rational> {
         match self {
-            Medium::Slab(_) | Medium::Ramp { .. } => Vec::new(),
+            Medium::Slab(_) | Medium::Ramp { .. } | Medium::Polyline(_) => Vec::new(),
             Medium::Layers(layers) => {
                 let inner = layers.iter().rev().skip(1).rev();
                 inner.map(|layer| layer.back.clone()).collect()
@@ -99,6 +110,7 @@ impl Case for Medium {
             Medium::Slab(slab) => slab.name(),
             Medium::Layers(_) => "layers",
             Medium::Ramp { .. } => "ramp",
+            Medium::Polyline(_) => "polyline",
             Medium::Faulty(_) => "faulty",
         }
     }
@@ -109,6 +121,9 @@ impl Case for Medium {
             Medium::Layers(layers) => layers
                 .last()
                 .map_or_else(|| Rational::from(1), |layer| layer.back.clone()),
+            Medium::Polyline(knots) => knots
+                .last()
+                .map_or_else(|| Rational::from(1), |knot| knot.place.clone()),
             Medium::Ramp { .. } | Medium::Faulty(_) => Rational::from(1),
         }
     }
@@ -116,7 +131,7 @@ impl Case for Medium {
     fn field<R: Real>(&self, lambda: &R) -> R {
         match self {
             Medium::Slab(slab) => slab.field(lambda),
-            Medium::Layers(_) | Medium::Faulty(_) => lambda.clone(),
+            Medium::Layers(_) | Medium::Polyline(_) | Medium::Faulty(_) => lambda.clone(),
             Medium::Ramp { slope } => {
                 let format = lambda.format();
                 format.ratio(slope) * lambda + &format.int(1)
@@ -142,6 +157,10 @@ impl Case for Medium {
                 emission: format.int(1),
                 extinction: s.clone(),
             },
+            Medium::Polyline(knots) => Transfer {
+                emission: format.int(1),
+                extinction: between(knots, s),
+            },
             Medium::Faulty(fault) => Medium::faulty(*fault, s),
         }
     }
@@ -161,6 +180,7 @@ impl Case for Medium {
                 let half = format.ratio(&Rational::from(slope / 2));
                 Some((half * lambda + &format.int(1)) * lambda)
             }
+            Medium::Polyline(knots) => Some(depth_of(knots, lambda)),
             Medium::Faulty(_) => None,
         }
     }
@@ -180,7 +200,9 @@ impl Case for Medium {
                 }
                 Some(radiance)
             }
-            Medium::Ramp { .. } => Some(-(-self.optical_depth(lambda)?).exp_m1()),
+            Medium::Ramp { .. } | Medium::Polyline(_) => {
+                Some(-(-self.optical_depth(lambda)?).exp_m1())
+            }
             Medium::Faulty(_) => None,
         }
     }
@@ -198,7 +220,7 @@ impl Case for Medium {
                 extinction: vec![Rational::new(), Rational::from(1)],
                 source: vec![Rational::new(), Rational::from(1)],
             }),
-            Medium::Layers(_) | Medium::Faulty(_) => None,
+            Medium::Layers(_) | Medium::Polyline(_) | Medium::Faulty(_) => None,
         };
         Structure {
             field_degree: Some(1),
@@ -224,4 +246,42 @@ fn crossed<'l, R: Real>(layers: &'l [Layer], lambda: &R) -> Vec<(&'l Layer, R)> 
         front = back;
     }
     crossed
+}
+
+/// τ of a piece at a place on it.
+fn on<R: Real>(near: &Knot, far: &Knot, lambda: &R) -> R {
+    let format = lambda.format();
+    let rise = Rational::from(&far.extinction - &near.extinction);
+    let slope = rise / Rational::from(&far.place - &near.place);
+    let along = lambda.clone() - &format.ratio(&near.place);
+    along * &format.ratio(&slope) + &format.ratio(&near.extinction)
+}
+
+/// τ at a place; at a knot that of the knot, in every format that has both.
+fn between<R: Real>(knots: &[Knot], lambda: &R) -> R {
+    let format = lambda.format();
+    let mut pieces = knots.windows(2);
+    let is_on = |piece: &&[Knot]| matches!(piece, [_, far] if *lambda <= format.ratio(&far.place));
+    match (pieces.find(is_on), knots.last()) {
+        (Some([near, far]), _) => on(near, far, lambda),
+        (_, Some(last)) => format.ratio(&last.extinction),
+        (_, None) => format.int(0),
+    }
+}
+
+/// ∫ τ up to a place: trapezoids.
+fn depth_of<R: Real>(knots: &[Knot], lambda: &R) -> R {
+    let format = lambda.format();
+    let mut depth = format.int(0);
+    for piece in knots.windows(2) {
+        let [near, far] = piece else { continue };
+        let (front, back) = (format.ratio(&near.place), format.ratio(&far.place));
+        if *lambda <= front {
+            break;
+        }
+        let end = if back < *lambda { back } else { lambda.clone() };
+        let both = on(near, far, &end) + &format.ratio(&near.extinction);
+        depth += &((end - &front) * &both * &format.fraction(1, 2));
+    }
+    depth
 }

@@ -22,11 +22,13 @@ mod watched;
 
 pub use cell::{Cell, Digits};
 pub use exact::{Exact, ORACLE_BITS, exact};
-pub use medium::{Fault, Layer, Medium};
+pub(in crate::study) use judge::{digits, relative_error};
+pub use medium::{Fault, Knot, Layer, Medium};
 pub use method::{Kind, METHODS};
 pub use range::Rounding;
 pub use run::{Settings, run, work};
 pub use scenario::{GROUPS, LEVELS, SEGMENTS, Scenario, scenarios};
+pub(in crate::study) use scenario::{new as scenario, power, slab};
 pub use verdict::Verdict;
 
 /// The formats of the default grid.

@@ -57,7 +57,13 @@ pub fn scenarios(n: Option<u64>, levels: &[u64]) -> Vec<Scenario> {
     all
 }
 
-fn new(group: &'static str, what: impl AsRef<str>, medium: Medium, n: u64) -> Scenario {
+/// A scenario of a group, by what is extreme.
+pub(in crate::study) fn new(
+    group: &'static str,
+    what: impl AsRef<str>,
+    medium: Medium,
+    n: u64,
+) -> Scenario {
     Scenario {
         group,
         name: format!("{group}/{}", what.as_ref()),
@@ -66,7 +72,8 @@ fn new(group: &'static str, what: impl AsRef<str>, medium: Medium, n: u64) -> Sc
     }
 }
 
-fn slab(length: Rational, extinction: Rational, emission: Rational) -> Medium {
+/// The same everywhere.
+pub(in crate::study) fn slab(length: Rational, extinction: Rational, emission: Rational) -> Medium {
     Medium::Slab(HomogeneousSlab {
         length,
         extinction,
@@ -75,7 +82,7 @@ fn slab(length: Rational, extinction: Rational, emission: Rational) -> Medium {
 }
 
 /// 10^exponent.
-fn power(exponent: i32) -> Rational {
+pub(in crate::study) fn power(exponent: i32) -> Rational {
     let power = Rational::from(Integer::from(10).pow(exponent.unsigned_abs()));
     if exponent < 0 { power.recip() } else { power }
 }
