@@ -9,6 +9,7 @@ mod check;
 mod completions;
 mod failure;
 mod fit;
+mod gradient;
 mod identify;
 mod input;
 mod kernel;
@@ -74,6 +75,7 @@ pub(crate) enum Command {
     Verify(verify::Verify),
     Identify(Box<identify::Identify>),
     Check(check::Check),
+    Gradient(gradient::Gradient),
     Ask(ask::Ask),
     New(new::New),
     Reproduce(reproduce::Reproduce),
@@ -99,6 +101,7 @@ impl Command {
             Command::Verify(arguments) => arguments.run(),
             Command::Identify(arguments) => arguments.run(),
             Command::Check(arguments) => arguments.run(),
+            Command::Gradient(arguments) => arguments.run(),
             Command::Ask(arguments) => arguments.run(),
             Command::New(arguments) => arguments.run(),
             Command::Reproduce(arguments) => arguments.run(),

@@ -11,6 +11,7 @@
 //! | [`nonsmooth`] | the table of jumps and kinks |
 //! | [`study`] | a study of errors and their parts |
 //! | [`verify`](mod@verify) | a kernel put to the test |
+//! | [`gradient`] | gradients of a kernel beside theory |
 //! | [`identify`] | what a kernel computes |
 //! | [`stress`] | digits and verdicts at the extremes |
 //! | [`tradeoff`] | error against cost |
@@ -29,6 +30,8 @@ pub mod comparison;
 mod counts;
 #[cfg(feature = "studies")]
 pub mod fit;
+#[cfg(feature = "studies")]
+pub mod gradient;
 pub mod identify;
 #[cfg(feature = "studies")]
 mod names;

@@ -1,6 +1,8 @@
 //! What to run, and running it: methods × levels × formats, node values shared.
 
 #[cfg(feature = "studies")]
+pub mod gradient;
+#[cfg(feature = "studies")]
 pub mod nonsmooth;
 #[cfg(feature = "studies")]
 pub mod plan;

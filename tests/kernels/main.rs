@@ -11,6 +11,7 @@
 )]
 
 mod assert;
+mod gradient;
 mod identify;
 mod itself;
 mod kernel;

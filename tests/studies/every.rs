@@ -49,6 +49,14 @@ pub(crate) fn commands() -> Vec<(&'static str, &'static str)> {
         ("reproduce --table 2 --levels 8..64 --json -", ""),
         ("stress --scenarios vacuum --formats f32", ""),
         ("fit -", "0.4,8e-2\n0.2,2e-2\n0.1,5e-3\n0.05,1.25e-3\n"),
+        (
+            concat!(
+                "gradient --cases sine-squared --levels 8..64 python3 ",
+                env!("CARGO_MANIFEST_DIR"),
+                "/examples/kernels/gradient.py"
+            ),
+            "",
+        ),
         ("cases vacuum", ""),
         ("manufacture vacuum --code c", ""),
         ("prove sine-squared --no-check", ""),

@@ -9,7 +9,7 @@ const FIRST: f64 = 0.5;
 const NEXT: f64 = 0.25;
 
 /// The subjects before a background; `None` of a kernel that takes none, and over grids, where the medium is what is refined.
-pub(super) fn before(
+pub(in crate::study) fn before(
     subjects: &[Subject],
     declaration: &Declaration,
     settings: &Settings,
