@@ -20,8 +20,8 @@ length that the sample stands for, are compared with T C − R and τ T, R being
 from behind: the error at every level, the largest and in the mean square, and its order.
 docs/gradient.md says more.
 
-The exit code is 0 where of both derivatives more lines are confirmed than not and none is
-contradicted; 1 where not; 2 where it could not run.
+The exit code is 0 where of both derivatives more lines are confirmed than not, but for those
+that rounding ends, and none is contradicted; 1 where not; 2 where it could not run.
 
 Work: cases × levels, at most 64 levels of 524288 segments, each asked once and the coarsest
 twice; a program has --timeout for each answer. A bar on the terminal says how much is left.

@@ -17,6 +17,7 @@ pub use places::{LeftOut, Places, PlacesError};
 use super::Progress;
 use super::verify::{Settings, SettingsError, before};
 use crate::case::Unproved;
+use crate::convergence::Verdict;
 use crate::kernel::{
     CutError, Declaration, DeclarationError, Kernel, KernelError, Subject, SubjectError,
 };
@@ -193,7 +194,7 @@ pub struct Gradients {
 /// What gradients say in all.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Conclusion {
-    /// Nothing contradicts, and of each derivative more lines are confirmed than not.
+    /// Nothing contradicts, and of each derivative more lines are confirmed than not, but for those that rounding ends.
     Confirmed,
     /// Something contradicts or fails, or too little is confirmed.
     NotConfirmed,
@@ -234,7 +235,10 @@ impl Gradients {
             !case.failures.is_empty() && case.lines.iter().all(|line| line.samples.is_empty())
         };
         let is_shown = Derivative::ALL.into_iter().all(|derivative| {
-            let of = self.lines().filter(|line| line.derivative == derivative);
+            // Where rounding ends the ladder no gradient shows an order.
+            let of = self.lines().filter(|line| {
+                line.derivative == derivative && line.fit.verdict != Verdict::FloorLimited
+            });
             let (confirmed, other): (Vec<&Line>, Vec<&Line>) =
                 of.partition(|line| line.standing == Standing::Confirmed);
             confirmed.len() > other.len()
