@@ -10,6 +10,7 @@ mod completions;
 mod failure;
 mod fit;
 mod gradient;
+mod gradient_test;
 mod identify;
 mod input;
 mod kernel;
@@ -76,6 +77,7 @@ pub(crate) enum Command {
     Identify(Box<identify::Identify>),
     Check(check::Check),
     Gradient(gradient::Gradient),
+    GradientTest(gradient_test::GradientTest),
     Ask(ask::Ask),
     New(new::New),
     Reproduce(reproduce::Reproduce),
@@ -102,6 +104,7 @@ impl Command {
             Command::Identify(arguments) => arguments.run(),
             Command::Check(arguments) => arguments.run(),
             Command::Gradient(arguments) => arguments.run(),
+            Command::GradientTest(arguments) => arguments.run(),
             Command::Ask(arguments) => arguments.run(),
             Command::New(arguments) => arguments.run(),
             Command::Reproduce(arguments) => arguments.run(),

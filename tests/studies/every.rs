@@ -57,6 +57,10 @@ pub(crate) fn commands() -> Vec<(&'static str, &'static str)> {
             ),
             "",
         ),
+        (
+            "gradient-test -",
+            "0.4,8e-2\n0.2,2e-2\n0.1,5e-3\n0.05,1.25e-3\n",
+        ),
         ("cases vacuum", ""),
         ("manufacture vacuum --code c", ""),
         ("prove sine-squared --no-check", ""),
@@ -90,6 +94,8 @@ pub(crate) fn names() -> Vec<String> {
     let help = String::from_utf8(help.stdout).unwrap();
     let (_, list) = help.split_once("Commands:\n").unwrap();
     let lines = list.lines().take_while(|line| line.starts_with("  "));
+    // What is wrapped stands farther in.
+    let lines = lines.filter(|line| !line.starts_with("   "));
     let names = lines.filter_map(|line| line.split_whitespace().next());
     names
         .filter(|name| *name != "help")
