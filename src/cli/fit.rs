@@ -121,11 +121,11 @@ impl Fit {
     }
 }
 
-fn decimal(text: &str) -> Result<Decimal, &'static str> {
+pub(super) fn decimal(text: &str) -> Result<Decimal, &'static str> {
     Decimal::parse(text).ok_or("not a number (allowed: finite decimal numbers)")
 }
 
-fn floor(text: &str) -> Result<Decimal, &'static str> {
+pub(super) fn floor(text: &str) -> Result<Decimal, &'static str> {
     decimal(text)?;
     Decimal::parse(text)
         .filter(|f| f.value >= 0)

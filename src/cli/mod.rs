@@ -10,6 +10,8 @@ mod completions;
 mod extremes;
 mod failure;
 mod fit;
+mod gradient;
+mod gradient_test;
 mod identify;
 mod input;
 mod kernel;
@@ -75,6 +77,8 @@ pub(crate) enum Command {
     Verify(verify::Verify),
     Identify(Box<identify::Identify>),
     Check(check::Check),
+    Gradient(gradient::Gradient),
+    GradientTest(gradient_test::GradientTest),
     Ask(ask::Ask),
     New(new::New),
     Reproduce(reproduce::Reproduce),
@@ -100,6 +104,8 @@ impl Command {
             Command::Verify(arguments) => arguments.run(),
             Command::Identify(arguments) => arguments.run(),
             Command::Check(arguments) => arguments.run(),
+            Command::Gradient(arguments) => arguments.run(),
+            Command::GradientTest(arguments) => arguments.run(),
             Command::Ask(arguments) => arguments.run(),
             Command::New(arguments) => arguments.run(),
             Command::Reproduce(arguments) => arguments.run(),

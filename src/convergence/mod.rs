@@ -44,6 +44,8 @@ mod sample;
 mod split;
 pub mod table;
 #[cfg(feature = "studies")]
+mod taylor;
+#[cfg(feature = "studies")]
 mod transition;
 pub(crate) mod verdict;
 mod window;
@@ -62,6 +64,8 @@ pub use richardson::{DifferenceFit, RichardsonError, ValueSample, fit_difference
 pub use sample::{JSON_NUMBER_MIN, Sample, serialize_float};
 #[cfg(feature = "studies")]
 pub use split::{Cell, Oracle, Split};
+#[cfg(feature = "studies")]
+pub use taylor::{Smoothness, Taylor, taylor};
 #[cfg(feature = "studies")]
 pub use transition::{Transition, TransitionError, transition};
 pub use verdict::{MAX_HALF_WIDTH, Verdict};

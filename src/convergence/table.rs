@@ -8,8 +8,12 @@
 
 mod columns;
 mod error;
+#[cfg(feature = "studies")]
+mod remainders;
 
 pub use error::TableError;
+#[cfg(feature = "studies")]
+pub use remainders::{Remainder, remainders};
 
 use super::decimal::Decimal;
 use super::{Sample, ValueSample};

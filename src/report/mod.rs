@@ -12,6 +12,8 @@
 //! | [`study`] | a study of errors and their parts |
 //! | [`verify`](mod@verify) | a kernel put to the test |
 //! | [`extremes`] | digits of a kernel at the extremes |
+//! | [`gradient`] | gradients of a kernel beside theory |
+//! | [`gradient_test`] | Taylor remainders of anybody's gradient |
 //! | [`identify`] | what a kernel computes |
 //! | [`stress`] | digits and verdicts at the extremes |
 //! | [`tradeoff`] | error against cost |
@@ -32,6 +34,10 @@ mod counts;
 pub mod extremes;
 #[cfg(feature = "studies")]
 pub mod fit;
+#[cfg(feature = "studies")]
+pub mod gradient;
+#[cfg(feature = "studies")]
+pub mod gradient_test;
 pub mod identify;
 #[cfg(feature = "studies")]
 mod names;

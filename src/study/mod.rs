@@ -3,6 +3,8 @@
 #[cfg(feature = "studies")]
 pub mod extremes;
 #[cfg(feature = "studies")]
+pub mod gradient;
+#[cfg(feature = "studies")]
 pub mod nonsmooth;
 #[cfg(feature = "studies")]
 pub mod plan;

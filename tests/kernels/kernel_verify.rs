@@ -31,7 +31,7 @@ const SMOOTH: [&str; 8] = [
     "thick",
 ];
 
-fn subjects(names: &[&str]) -> Vec<Subject> {
+pub(crate) fn subjects(names: &[&str]) -> Vec<Subject> {
     let subject = |name: &&str| {
         let description = catalogue::find(name).expect("in the catalogue").unwrap();
         let channels = manufacture(&description).unwrap();

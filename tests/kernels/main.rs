@@ -12,6 +12,7 @@
 
 mod assert;
 mod extremes;
+mod gradient;
 mod identify;
 mod itself;
 mod kernel;

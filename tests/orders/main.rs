@@ -12,6 +12,7 @@
 
 mod convergence;
 mod fit;
+mod gradient_test;
 mod model;
 mod nonsmooth;
 mod paper;

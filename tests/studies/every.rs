@@ -49,6 +49,18 @@ pub(crate) fn commands() -> Vec<(&'static str, &'static str)> {
         ("reproduce --table 2 --levels 8..64 --json -", ""),
         ("stress --scenarios vacuum --formats f32", ""),
         ("fit -", "0.4,8e-2\n0.2,2e-2\n0.1,5e-3\n0.05,1.25e-3\n"),
+        (
+            concat!(
+                "gradient --cases sine-squared --levels 8..64 python3 ",
+                env!("CARGO_MANIFEST_DIR"),
+                "/examples/kernels/gradient.py"
+            ),
+            "",
+        ),
+        (
+            "gradient-test -",
+            "0.4,8e-2\n0.2,2e-2\n0.1,5e-3\n0.05,1.25e-3\n",
+        ),
         ("cases vacuum", ""),
         ("manufacture vacuum --code c", ""),
         ("prove sine-squared --no-check", ""),
@@ -82,6 +94,8 @@ pub(crate) fn names() -> Vec<String> {
     let help = String::from_utf8(help.stdout).unwrap();
     let (_, list) = help.split_once("Commands:\n").unwrap();
     let lines = list.lines().take_while(|line| line.starts_with("  "));
+    // What is wrapped stands farther in.
+    let lines = lines.filter(|line| !line.starts_with("   "));
     let names = lines.filter_map(|line| line.split_whitespace().next());
     names
         .filter(|name| *name != "help")

@@ -6,6 +6,10 @@ use super::MAX_ROWS;
 const ALLOWED_NAMES: &str =
     "h, d, dx, step or n; error, err, e, value, v, q or result; floor; stderr or se";
 
+/// The column names a header of remainders may have.
+const REMAINDER_NAMES: &str =
+    "h, eps, epsilon or step; remainder, r, error or e; change, c or difference";
+
 /// Text that is no table of measurements.
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
 pub enum TableError {
@@ -113,6 +117,40 @@ pub enum TableError {
         line: usize,
         /// What is missing.
         missing: &'static str,
+    },
+    /// A header of remainders with an unknown name.
+    #[error("line {line}: unknown column '{name}' (allowed: {REMAINDER_NAMES})")]
+    UnknownRemainder {
+        /// Line of the header.
+        line: usize,
+        /// The name.
+        name: String,
+    },
+    /// A header of remainders that says one thing twice.
+    #[error(
+        "line {line}: column '{name}' is one too many (allowed: one of each of {REMAINDER_NAMES})"
+    )]
+    ExtraRemainder {
+        /// Line of the header.
+        line: usize,
+        /// The name.
+        name: String,
+    },
+    /// A header of remainders without a column that has to be there.
+    #[error("line {line}: the header has no {missing} (allowed: {REMAINDER_NAMES})")]
+    MissingRemainder {
+        /// Line of the header.
+        line: usize,
+        /// What is missing.
+        missing: &'static str,
+    },
+    /// JSON that holds no table.
+    #[error(
+        "{reason} (allowed: [[h, remainder], …], [[h, remainder, change], …] or an object with h, remainder and change)"
+    )]
+    Json {
+        /// What is wrong.
+        reason: String,
     },
     /// A standard error that is 0 or less.
     #[error("line {line}, {column}: '{text}' is not allowed (allowed: standard errors above 0)")]

@@ -10,7 +10,7 @@ const NEXT: f64 = 0.25;
 
 /// The subjects before their own background, or one for all that have none; before nothing where a kernel takes none, and
 /// over grids, where the medium is what is refined.
-pub(super) fn before(
+pub(in crate::study) fn before(
     subjects: &[Subject],
     declaration: &Declaration,
     settings: &Settings,

@@ -18,6 +18,11 @@ mod settings;
 pub(crate) mod standing;
 mod truth;
 
+#[cfg(feature = "studies")]
+pub(in crate::study) use background::before;
+#[cfg(feature = "studies")]
+pub(in crate::study) use truth::wall_opacity;
+
 pub use accept::{Acceptance, Accepted, AcceptedError};
 #[cfg(feature = "studies")]
 pub use baseline::{Baseline, BaselineDeviation, BaselineError, BaselineLine, BaselinePart, Moved};

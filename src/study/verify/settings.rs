@@ -290,7 +290,7 @@ impl Settings {
     }
 
     /// How a ray of that length is cut at every level.
-    pub(super) fn cuts(&self, length: &Rational) -> Vec<Cut> {
+    pub(in crate::study) fn cuts(&self, length: &Rational) -> Vec<Cut> {
         let cut = |n: &u64| match self.axis {
             Axis::Grid => Cut::Segments(GRID_SEGMENTS),
             Axis::Step => self.steps.cut(*n, length),

@@ -68,7 +68,7 @@ fn opacity(case: &SymbolicCase, bits: u32, far_wall: bool) -> Result<Truth, Veri
 }
 
 /// What a wall made of the last sample absorbs, which lies just in front of the end, where a medium may vanish.
-fn wall_opacity(case: &SymbolicCase, format: Mpfr) -> MpfrReal {
+pub(in crate::study) fn wall_opacity(case: &SymbolicCase, format: Mpfr) -> MpfrReal {
     let length = case.length();
     let before = &length - &length * Rational::from(LAST_SAMPLE);
     let extinction = case.extinction(&case.field(&format.ratio(&before)));
