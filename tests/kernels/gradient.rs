@@ -111,9 +111,14 @@ fn faults_are_contradicted() {
 }
 
 #[test]
-fn one_channel_does_not_show_that_cotangents_are_mixed_up() {
-    let run = gradient(&["--cases", "sine-squared"], &["--fault", "channels"]);
-    run.with_code(0);
+fn theory_of_one_channel_does_not_show_that_cotangents_are_mixed_up_and_values_of_two_do() {
+    let options = ["--cases", "sine-squared", "--json", "-"];
+    let document = gradient(&options, &["--fault", "channels"])
+        .with_code(1)
+        .json();
+    assert_eq!(document["counts"]["contradicted"], 0);
+    let own = &document["own_values"];
+    assert!(own["agree"].as_u64() < own["compared"].as_u64(), "{own}");
 }
 
 #[test]
@@ -193,6 +198,29 @@ fn a_medium_without_closed_forms_has_the_same_theory() {
             assert!((a - b).abs() <= 1e-13, "{a} {b}");
         }
     }
+}
+
+#[test]
+fn the_own_values_name_the_wrong_term() {
+    for (fault, name) in [
+        ("own-light", "gradient-own-light"),
+        ("sign", "gradient-sign"),
+        ("factor", "gradient-factor"),
+        ("transmittance", "gradient-direct-unattenuated"),
+        ("detached", "gradient-zero"),
+    ] {
+        let run = gradient(&TWO, &["--fault", fault]).with_code(1);
+        let document = run.json();
+        let own = &document["own_values"];
+        assert_eq!(document["conclusion"], "not confirmed", "{fault}");
+        assert_eq!(own["deviations"][0]["name"], name, "{fault}: {own}");
+        assert_eq!(own["deviations"].as_array().map(Vec::len), Some(1));
+        assert!(own["farthest"].is_string());
+    }
+    let document = gradient(&TWO, &[]).with_code(0).json();
+    let own = &document["own_values"];
+    assert_eq!(own["agree"], own["compared"]);
+    assert_eq!(own["compared"], 141);
 }
 
 #[test]

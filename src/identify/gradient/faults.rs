@@ -14,7 +14,12 @@ struct Candidate {
 }
 
 /// By τ: with e = 1 − α, direct = T C, S from behind, the right one is α′ (T C − S/e).
-const BY_EXTINCTION: [Candidate; 6] = [
+const BY_EXTINCTION: [Candidate; 7] = [
+    Candidate {
+        name: "gradient-direct-unattenuated",
+        does: "the direct term of the derivative by τ lacks the transmittance in front of the sample",
+        of: |e, _| e.slope * (e.direct / e.front - e.behind / (1.0 - e.opacity)),
+    },
     Candidate {
         name: "gradient-transmittance",
         does: "the direct term of the derivative by τ has the transmittance in front of the sample, not behind it",

@@ -51,8 +51,9 @@ pub(super) const ROUNDINGS: f64 = 256.0;
 /// The half-width of central differences, as a part of the extinction, or of what has that depth.
 const PART: f64 = 0.02;
 const LEAST: f64 = 0.05;
-/// What lets nothing through.
-const OPAQUE: f64 = 1e4;
+/// A segment lets this part of a unit through, and counts as opaque: deeper ones would lose the digits of depths that are
+/// summed with it.
+const SHUT: f64 = 1.0 / 64.0;
 /// A depth so near to 0 is at the kink of a rectifier.
 const REST: f64 = 1e-6;
 /// Slopes on both sides that differ by more than this part belong to a kink.
@@ -181,7 +182,7 @@ impl Asked<'_, '_> {
             Node::Middle(i) => (layers.middles[i], layers.step),
         };
         let clear = self.with(0.0)?;
-        let opaque = self.with(OPAQUE / length)?;
+        let opaque = self.with(-(SHUT * unit).ln() / length)?;
         let sizes = |all: &[f64]| -> f64 {
             let both = all.iter().zip(&cotangents);
             both.map(|(radiance, a)| (radiance * a).abs()).sum()
