@@ -5,6 +5,7 @@ use clap::{Args, ValueEnum};
 use std::fs::File;
 use std::io::Write;
 use std::path::{Path, PathBuf};
+use volver::document::quoted;
 use volver::render::make_directory;
 use volver::report::ReportError;
 
@@ -113,7 +114,8 @@ impl New {
         }
         let directory = self.directory.display().to_string();
         let said = self.language.next().iter();
-        let said: Vec<String> = said.map(|line| line.replace('@', &directory)).collect();
+        let word = quoted(&directory);
+        let said: Vec<String> = said.map(|line| line.replace('@', &word)).collect();
         write_out(&format!(
             "written to {directory}; next:\n  {}\n",
             said.join("\n  ")

@@ -43,7 +43,8 @@ impl About {
 }
 
 /// A word that a POSIX shell takes as it stands.
-fn quoted(word: &str) -> String {
+#[must_use]
+pub fn quoted(word: &str) -> String {
     let is_plain = |c: char| c.is_ascii_alphanumeric() || "-_./:,=@%+^".contains(c);
     if !word.is_empty() && word.chars().all(is_plain) {
         word.into()

@@ -25,7 +25,7 @@ mod machine;
 mod outline;
 mod table;
 
-pub use about::About;
+pub use about::{About, quoted};
 pub use block::{Block, Fact, Finding, Medium, Tone};
 pub use figure::{Axis, Figure, Guide, Plot, Point, Scale, Series, Sign, Stroke, Trace};
 pub use outline::{Conclusion, Document, Link, Section};

@@ -83,6 +83,17 @@ fn in_rust() {
 }
 
 #[test]
+fn what_is_said_to_come_next_runs_as_it_stands() {
+    let folder = tempfile::tempdir().unwrap();
+    let directory = folder.path().join("my renderer's");
+    let run = volver(&["new", "python", directory.to_str().unwrap()]).with_code(0);
+    let line = run.out.lines().find(|line| line.contains("test_kernel.py"));
+    let status = Command::new("sh").args(["-c", line.unwrap()]).output();
+    let output = status.unwrap();
+    assert!(output.status.success(), "{output:?}");
+}
+
+#[test]
 fn a_single_file_that_is_there_is_enough_to_refuse() {
     let folder = tempfile::tempdir().unwrap();
     fs::write(folder.path().join("volver_kernel.py"), "mine").unwrap();
