@@ -36,6 +36,9 @@ impl Precision {
             .copied()
             .filter(|y| y.is_finite() && *y != 0.0)
             .collect();
+        if known.is_empty() {
+            return Precision::Bits(DOUBLE);
+        }
         let all = |holds: &dyn Fn(f64) -> bool| known.iter().all(|y| holds(*y));
         let formats = FORMATS.into_iter().find(|bits| {
             all(&|y| {

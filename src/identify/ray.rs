@@ -1,6 +1,7 @@
 //! Rays that ask.
 
 use super::pose::{at, plain};
+use super::rule::Node;
 use crate::kernel::{Data, Medium, Samples, Segments, Task};
 use rug::Rational;
 
@@ -30,6 +31,22 @@ impl Emission {
         Emission {
             edges: vec![c; n + 1],
             middles: vec![c; n],
+        }
+    }
+
+    /// C there.
+    pub(super) fn at(&self, node: Node) -> f64 {
+        match node {
+            Node::Edge(i) => self.edges[i],
+            Node::Middle(i) => self.middles[i],
+        }
+    }
+
+    /// The same, to be changed.
+    pub(super) fn at_mut(&mut self, node: Node) -> &mut f64 {
+        match node {
+            Node::Edge(i) => &mut self.edges[i],
+            Node::Middle(i) => &mut self.middles[i],
         }
     }
 

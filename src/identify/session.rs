@@ -3,7 +3,7 @@
 use super::pose::{Made, Pose, Posed};
 use super::ray::{Emission, Layers, Ray};
 use super::rule::Channels;
-use crate::kernel::{Gradient, Kernel, KernelError, Rendering, Task};
+use crate::kernel::{Gradient, GradientAt, Kernel, KernelError, Rendering, Task};
 use std::ops::Range;
 use std::time::{Duration, Instant};
 
@@ -191,16 +191,19 @@ impl<'k> Session<'k> {
         self.read(&task, answer)
     }
 
-    /// The derivatives of Σₖ aₖ Iₖ by the ray's numbers.
+    /// The derivatives of Σₖ aₖ Iₖ by the ray's numbers, as many as there are values `at` the places declared.
     pub(super) fn derivatives(
         &mut self,
         ray: &Ray,
         cotangents: &[f64],
+        at: GradientAt,
     ) -> Result<Gradient, Silence> {
         let segments = ray.segments.count();
         self.count(segments)?;
         let answer = self.kernel.gradient(&ray.task(), cotangents);
-        answer.map(|(_, gradient)| gradient).map_err(|error| {
+        let checked = answer
+            .and_then(|(_, gradient)| gradient.checked(at, &ray.segments, ray.channels.len()));
+        checked.map_err(|error| {
             self.spent.unanswered += 1;
             self.kernel.renew();
             Silence::Kernel { segments, error }

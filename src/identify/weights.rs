@@ -104,10 +104,7 @@ pub(super) fn nodes_of(place: Place, n: usize, extra: bool) -> Vec<Node> {
 /// Emission of that size in one node.
 pub(super) fn impulse(n: usize, node: Node, size: f64) -> Emission {
     let mut emission = Emission::even(n, 0.0);
-    match node {
-        Node::Edge(i) => emission.edges[i] = size,
-        Node::Middle(i) => emission.middles[i] = size,
-    }
+    *emission.at_mut(node) = size;
     emission
 }
 

@@ -192,7 +192,7 @@ fn one_side(all: &[Ray], sides: &[Side], candidates: &[Candidate], unit: f64) ->
         return Some(deviation("gradient-zero", None, None, does));
     }
     lost(&every, by, unit)
-        .or_else(|| scaled(&every, by, &|one| one.truth(), unit))
+        .or_else(|| scaled(&every, by, unit))
         .or_else(|| {
             candidates.iter().find_map(|candidate| {
                 let of = |one: &One<'_>| (candidate.of)(one.entry, one.side);
@@ -204,25 +204,23 @@ fn one_side(all: &[Ray], sides: &[Side], candidates: &[Candidate], unit: f64) ->
 }
 
 /// A constant factor of all.
-fn scaled(
-    every: &[One<'_>],
-    by: &str,
-    of: &dyn Fn(&One<'_>) -> f64,
-    unit: f64,
-) -> Option<Deviation> {
+fn scaled(every: &[One<'_>], by: &str, unit: f64) -> Option<Deviation> {
     let clear = every
         .iter()
-        .filter(|one| !one.held_out && of(one).abs() > CLEAR * one.tolerance(unit));
+        .filter(|one| !one.held_out && one.truth().abs() > CLEAR * one.tolerance(unit));
     let (mut low, mut high) = (f64::NEG_INFINITY, f64::INFINITY);
     for one in clear {
-        let (factor, off) = (one.got / of(one), one.tolerance(unit) / of(one).abs());
+        let (factor, off) = (
+            one.got / one.truth(),
+            one.tolerance(unit) / one.truth().abs(),
+        );
         (low, high) = (low.max(factor - off), high.min(factor + off));
     }
     if !(low.is_finite() && high.is_finite() && low <= high) {
         return None;
     }
     let factor = simplest(low, high);
-    let is = |one: &One<'_>| (one.got - factor * of(one)).abs() <= 2.0 * one.tolerance(unit);
+    let is = |one: &One<'_>| (one.got - factor * one.truth()).abs() <= 2.0 * one.tolerance(unit);
     if !every.iter().all(is) {
         return None;
     }
@@ -248,11 +246,8 @@ fn lost(every: &[One<'_>], by: &str, unit: f64) -> Option<Deviation> {
     }
     let rest: Vec<&One<'_>> = every.iter().filter(|one| !one.is_lost(unit)).collect();
     let is_right = rest.iter().all(|one| one.is(one.truth(), unit));
-    let lasts = every.iter().filter(|one| one.is_last);
-    if is_right
-        && gone.iter().all(|one| one.is_last)
-        && lasts.into_iter().all(|one| one.is_lost(unit))
-    {
+    let mut lasts = every.iter().filter(|one| one.is_last);
+    if is_right && gone.iter().all(|one| one.is_last) && lasts.all(|one| one.is_lost(unit)) {
         let does = format!("the derivative by {by} of the last sample is 0");
         return Some(deviation("gradient-last-sample", None, None, does));
     }
@@ -269,7 +264,6 @@ fn lost(every: &[One<'_>], by: &str, unit: f64) -> Option<Deviation> {
         let is_seen = |held_out: bool| gone.iter().any(|one| one.held_out == held_out);
         (most < least && is_seen(true) && is_seen(false)).then_some((most, least))
     };
-    let shown = |(low, high): (f64, f64)| simplest(low, high);
     // In front of an end what is behind it is missing, which is no more than is left there.
     let within = |left: f64| {
         rest.iter().all(|one| {
@@ -279,7 +273,7 @@ fn lost(every: &[One<'_>], by: &str, unit: f64) -> Option<Deviation> {
         })
     };
     if let Some(bracket) = border(&|entry| entry.front).filter(|bracket| within(bracket.1)) {
-        let under = shown(bracket);
+        let under = simplest(bracket.0, bracket.1);
         let does = format!(
             "derivatives are 0 where the transmittance is under {under:?}, and the radiance is not: the backward pass ends early"
         );
@@ -292,7 +286,7 @@ fn lost(every: &[One<'_>], by: &str, unit: f64) -> Option<Deviation> {
     }
     if is_right && let Some((low, high)) = border(&|entry| -entry.opacity) {
         let bracket = (-high, -low);
-        let above = shown(bracket);
+        let above = simplest(bracket.0, bracket.1);
         let does = format!(
             "derivatives by {by} are 0 where the opacity is above {above:?}, and the radiance changes"
         );
@@ -304,7 +298,7 @@ fn lost(every: &[One<'_>], by: &str, unit: f64) -> Option<Deviation> {
         ));
     }
     if is_right && let Some(bracket) = border(&|entry| entry.extinction * entry.length) {
-        let under = shown(bracket);
+        let under = simplest(bracket.0, bracket.1);
         let does = format!(
             "derivatives by {by} are 0 where the depth of a segment is under {under:?}, and the radiance changes"
         );

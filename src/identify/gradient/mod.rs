@@ -11,8 +11,9 @@ mod rays;
 use super::deviation::Deviation;
 use super::precision::Precision;
 use super::session::{Budget, Session, Spent};
+use super::state::is_same;
 use super::{NotIdentified, Silence};
-use crate::kernel::Kernel;
+use crate::kernel::{Gradient, Kernel};
 use faults::named;
 use own::{Entry, Side, measured};
 use rays::{Probe, rays};
@@ -114,13 +115,13 @@ pub fn gradients(
     let mut all = Vec::new();
     for probe in probes {
         let (entries, unit) = measured(&mut session, &probe, at)?;
-        let (answered, again) = (
-            session.gradient(&probe.ray, &probe.cotangents)?,
-            session.gradient(&probe.ray, &probe.cotangents)?,
-        );
-        let same = |a: &f64, b: &f64| a.to_bits() == b.to_bits();
-        let changes = answered.iter().flatten().zip(again.iter().flatten());
-        if !changes.into_iter().all(|(a, b)| same(a, b)) {
+        let mut ask = || {
+            let gradient = session.derivatives(&probe.ray, &probe.cotangents, at)?;
+            Ok::<_, Silence>(rows(&gradient))
+        };
+        let (answered, again) = (ask()?, ask()?);
+        let mut both = answered.iter().zip(&again);
+        if !both.all(|(one, other)| is_same(one, other)) {
             let reason = "the same question has gradients that differ";
             return Err(NotIdentified::new(reason).with_answers(&answered));
         }
@@ -181,12 +182,9 @@ fn judged(all: &[Ray], unit: f64) -> GradientFound {
     found
 }
 
-impl Session<'_> {
-    /// The derivatives of Σₖ aₖ Iₖ: by τ, then by C of every channel.
-    fn gradient(&mut self, ray: &super::Ray, cotangents: &[f64]) -> Result<Vec<Vec<f64>>, Silence> {
-        let gradient = self.derivatives(ray, cotangents)?;
-        let rows = std::iter::once(&gradient.extinction).chain(&gradient.emission);
-        let numbers = |row: &Vec<rug::Float>| row.iter().map(rug::Float::to_f64).collect();
-        Ok(rows.map(numbers).collect())
-    }
+/// By τ, then by C of every channel.
+fn rows(gradient: &Gradient) -> Vec<Vec<f64>> {
+    let rows = std::iter::once(&gradient.extinction).chain(&gradient.emission);
+    let numbers = |row: &Vec<rug::Float>| row.iter().map(rug::Float::to_f64).collect();
+    rows.map(numbers).collect()
 }

@@ -3,7 +3,7 @@
 use super::rays::Probe;
 use crate::identify::NotIdentified;
 use crate::identify::precision::Precision;
-use crate::identify::ray::{Emission, Layers};
+use crate::identify::ray::Layers;
 use crate::identify::rule::Node;
 use crate::identify::session::Session;
 use crate::identify::weights::{Measured, impulse};
@@ -120,7 +120,7 @@ pub(super) fn measured(
     for (channel, total) in base.iter().enumerate() {
         let terms = nodes.iter().zip(weights);
         let terms: Vec<f64> = terms
-            .map(|(node, w)| w * value(&probe.emission[channel], *node))
+            .map(|(node, w)| w * probe.emission[channel].at(*node))
             .collect();
         let sum: f64 = terms.iter().sum();
         let size: f64 = terms.iter().map(|term| term.abs()).sum();
@@ -144,13 +144,6 @@ pub(super) fn measured(
     Ok((entries, unit))
 }
 
-fn value(emission: &Emission, node: Node) -> f64 {
-    match node {
-        Node::Edge(i) => emission.edges[i],
-        Node::Middle(i) => emission.middles[i],
-    }
-}
-
 /// One value of a ray that is changed.
 struct Asked<'a, 'k> {
     session: &'a mut Session<'k>,
@@ -159,7 +152,7 @@ struct Asked<'a, 'k> {
 }
 
 impl Asked<'_, '_> {
-    /// Σ aₖ Iₖ, and the radiances, with another extinction there.
+    /// The radiances with another extinction there.
     fn with(&mut self, extinction: f64) -> Result<Vec<f64>, NotIdentified> {
         let mut layers: Layers = self.probe.layers.clone();
         match self.node {
@@ -177,9 +170,10 @@ impl Asked<'_, '_> {
 
     fn entry(&mut self, base: &[f64], weight: f64, unit: f64) -> Result<Entry, NotIdentified> {
         let (layers, cotangents) = (&self.probe.layers, self.probe.cotangents.clone());
-        let (extinction, length) = match self.node {
-            Node::Edge(i) => (layers.edges[i], layers.step),
-            Node::Middle(i) => (layers.middles[i], layers.step),
+        let length = layers.step;
+        let extinction = match self.node {
+            Node::Edge(i) => layers.edges[i],
+            Node::Middle(i) => layers.middles[i],
         };
         let clear = self.with(0.0)?;
         let opaque = self.with(-(SHUT * unit).ln() / length)?;
@@ -242,7 +236,7 @@ impl Asked<'_, '_> {
             Ok(self.sum(&radiances))
         };
         let (far, near) = (at(h)?, at(h / 2.0)?);
-        let rounding = 4.0 * unit * here.abs().max(far.abs()).max(1e-300) / h * 4.0;
+        let rounding = 16.0 * unit * here.abs().max(far.abs()).max(1e-300) / h;
         let ahead = |y: f64, h: f64| (y - here) / h;
         if !is_inside {
             let value = 2.0 * ahead(near, h / 2.0) - ahead(far, h);
@@ -284,7 +278,7 @@ fn composite(probe: &Probe, nodes: &[Node], entries: &mut [Entry]) {
     let mut behind = 0.0;
     for (node, entry) in nodes.iter().zip(entries.iter_mut()).rev() {
         let both = probe.emission.iter().zip(&probe.cotangents);
-        let emission: f64 = both.map(|(c, a)| a * value(c, *node)).sum();
+        let emission: f64 = both.map(|(c, a)| a * c.at(*node)).sum();
         entry.behind = behind;
         entry.own = entry.weight * emission;
         entry.direct = entry.front * emission;

@@ -32,6 +32,10 @@ enum Fault {
     DetachedTransmittance,
     NotFinite,
     Unattenuated,
+    /// Every derivative is 0.
+    Zeros,
+    /// Derivatives by C of one channel alone.
+    OneRow,
     Cotangents,
     /// No slope below a depth.
     Thin(f64),
@@ -159,7 +163,7 @@ impl Kernel for March {
                 OpacityAlone => front * seen(i) - behind / left,
                 LastSample if i == n - 1 => 0.0,
                 Clamp(most) if opacity > most => 0.0,
-                Detached => 0.0,
+                Detached | Zeros => 0.0,
                 DetachedTransmittance => d * front * left * seen(i),
                 NotFinite if taus[i] == 0.0 => f64::NAN,
                 Thin(under) if taus[i] * d <= under => 0.0,
@@ -172,6 +176,7 @@ impl Kernel for March {
             for (channel, row) in by_c.iter_mut().enumerate() {
                 row[i] = match self.fault {
                     Unattenuated => cotangents[channel] * opacity,
+                    Zeros => 0.0,
                     Cotangents => front * opacity,
                     _ => cotangents[channel] * front * opacity,
                 };
@@ -182,6 +187,9 @@ impl Kernel for March {
             let bits = if self.fault == Half { 11 } else { 53 };
             Float::with_val(53, Float::with_val(bits, self.round(x)))
         };
+        if self.fault == OneRow {
+            by_c.truncate(1);
+        }
         let gradient = Gradient {
             extinction: by_tau.into_iter().map(number).collect(),
             emission: by_c
@@ -229,6 +237,7 @@ fn the_wrong_term_is_named() {
         (EarlyEnd(1e-2), "gradient-early-end", Some(1e-2)),
         (Half, "gradient-format", Some(11.0)),
         (Detached, "gradient-zero", None),
+        (Zeros, "gradient-zero", None),
         (
             DetachedTransmittance,
             "gradient-detached-transmittance",
@@ -278,4 +287,14 @@ fn what_is_wrong_in_no_known_way_has_no_name_but_is_wrong() {
         assert!(!found.is_right(), "{fault:?}");
         assert!(found.worst.is_some(), "{fault:?}");
     }
+}
+
+#[test]
+fn a_gradient_of_another_shape_is_refused_whoever_answers() {
+    let error = gradients(&mut March::new(OneRow), Budget::default(), &mut |_| ());
+    let reason = error.expect_err("a row is missing").reason;
+    assert!(
+        reason.contains("a gradient with 1 numbers of channels of emission (allowed: 2)"),
+        "{reason}"
+    );
 }
