@@ -117,10 +117,7 @@ impl KernelArguments {
             ..Options::default()
         };
         // 128 and the number of the signal, as shells have it.
-        let handler = || {
-            process::stop_all();
-            std::process::exit(130);
-        };
+        let handler = || process::stop_all_and_exit(130);
         match ctrlc::set_handler(handler) {
             // That of the first program stops all.
             Ok(()) | Err(ctrlc::Error::MultipleHandlers) => {}

@@ -234,8 +234,7 @@ impl Rows {
         let is_over = self.failed.as_ref().is_some_and(Failure::is_closed_pipe);
         if is_over && self.alone {
             // Nobody hears of the rest, which may take hours.
-            process::stop_all();
-            std::process::exit(CLOSED_PIPE.into());
+            process::stop_all_and_exit(CLOSED_PIPE.into());
         }
     }
 

@@ -27,7 +27,7 @@ pub(crate) mod written;
 
 pub use log::Log;
 pub use options::Options;
-pub use registry::stop_all;
+pub use registry::{stop_all, stop_all_and_exit};
 #[cfg(feature = "studies")]
 pub use schema::schema;
 pub use spoken::{answer, greeting, request};

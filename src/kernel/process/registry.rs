@@ -30,7 +30,18 @@ fn left() -> MutexGuard<'static, Left> {
 /// with its whole process group, removes their files, and lets none start any more: for handlers of Ctrl-C, before
 /// the process ends. A terminal's own signal does not reach them, as each has a group of its own.
 pub fn stop_all() {
+    stop(&mut left());
+}
+
+/// The same, and ends this process: no thread that waits for a kernel hears of its end and tells of it.
+pub fn stop_all_and_exit(code: i32) -> ! {
+    // Held until the end: whoever gives up a child has to have it.
     let mut left = left();
+    stop(&mut left);
+    std::process::exit(code)
+}
+
+fn stop(left: &mut Left) {
     left.stopped = true;
     for group in &left.groups {
         let _ = kill_process_group(*group, Signal::TERM);
