@@ -2,6 +2,7 @@
 
 use super::case::SOURCES;
 use super::kernel::{built_in, subject};
+use super::spacing::{Spaced, spacing};
 use super::{Failure, Outcome, waiting, write_out};
 use clap::{Args, ValueEnum};
 use std::str::FromStr;
@@ -25,6 +26,7 @@ Examples:
   volver ask sine-squared -n 4
   volver ask rgb-transfer -n 8 --form volume --entries 16 --by trapezoid/trapezoid
   volver ask sine-squared --step 0.3 --by front-to-back/middle/expm1@f32
+  volver ask sine-squared -n 4 --spacing log
   volver ask cloud --form formula --language c";
 
 /// The only request has no need of another.
@@ -50,6 +52,9 @@ pub(crate) struct Ask {
         allow_negative_numbers = true
     )]
     step: Option<f64>,
+    /// Where the segments end: even, square, log, disparity, random:SEED
+    #[arg(long, value_name = "HOW", value_parser = spacing, conflicts_with = "step")]
+    spacing: Option<Spaced>,
     /// In which form
     #[arg(long, value_enum, default_value = "segments", value_name = "FORM")]
     form: Form,
@@ -122,7 +127,11 @@ impl Ask {
         let method = self.by.as_deref().map(built_in).transpose()?;
         let subject = waiting("deriving", || subject(&self.case))?;
         let wrong = |error: CutError| Failure::Usage(format!("{}: {error}", self.case));
-        let cut = self.step.map_or(Cut::Segments(self.segments), Cut::Step);
+        let cut = match (self.step, self.spacing) {
+            (Some(step), _) => Cut::Step(step),
+            (None, Some(Spaced(Some(spacing)))) => Cut::Spaced(self.segments, spacing),
+            (None, _) => Cut::Segments(self.segments),
+        };
         let (step, segments) = cut.on(subject.length()).map_err(wrong)?;
         let ray = match form {
             FormKind::Volume => Ray::Volume(self.volume(&subject)?),
@@ -168,6 +177,9 @@ impl Ask {
         let problem = match (self.form, self.language) {
             (Form::Segments | Form::Formula, _) if self.cells.is_some() => {
                 "--cells without need (allowed: with --form volume)"
+            }
+            (Form::Volume | Form::Formula, _) if self.spacing.is_some() => {
+                "--spacing without need (allowed: with --form segments)"
             }
             (Form::Segments, None) => return Ok(FormKind::Segments),
             (Form::Volume, None) => return Ok(FormKind::Volume),

@@ -27,6 +27,7 @@ mod report;
 mod reproduce;
 mod scene;
 mod schema;
+mod spacing;
 mod stress;
 mod study;
 mod terminal;

@@ -3,6 +3,7 @@
 use super::about::about;
 use super::kernel::{KERNELS, KernelArguments, subjects};
 use super::output::{Output, is_dash};
+use super::spacing::{Spaced, spacing};
 use super::{Bar, CLOSED_PIPE, Color, Failure, Outcome, extremes, width, write_out};
 use clap::{Args, ValueEnum};
 use rug::Rational;
@@ -32,6 +33,7 @@ LADDER is as for 'volver reproduce'. ORDER is 2, 1.5 or 3/2.
 Examples:
   volver verify method:front-to-back/middle/expm1
   volver verify --cases sine-squared,thick method:trapezoid/trapezoid@f32
+  volver verify --spacing log --cases sine-squared python3 my_kernel.py
   volver verify --uneven --cases polynomial --json - method:tree/front/expm1
   volver verify --extremes method:front-to-back/middle/subtraction@f32";
 
@@ -59,6 +61,9 @@ pub(crate) struct Verify {
     /// Steps of 7/8 D/n: the last segment is another part of the others at every level
     #[arg(long)]
     uneven: bool,
+    /// Segments of many lengths: even, square, log, disparity, random:SEED
+    #[arg(long, value_name = "HOW", value_parser = spacing, conflicts_with_all = ["divide", "uneven"])]
+    spacing: Option<Spaced>,
     /// The order to expect, in place of what the kernel declares
     #[arg(long, value_name = "ORDER", value_parser = Settings::order, allow_negative_numbers = true)]
     expect: Option<Rational>,
@@ -75,7 +80,7 @@ pub(crate) struct Verify {
     /// In place of orders, digits where numbers end: thin and thick rays, vacuum, tau below 0,
     /// one segment
     #[arg(long, conflicts_with_all = [
-        "cases", "ladder", "axis", "divide", "uneven", "expect", "replicas", "identify", "accept",
+        "cases", "ladder", "axis", "divide", "uneven", "spacing", "expect", "replicas", "identify", "accept",
         "junit", "save",
     ])]
     extremes: bool,
@@ -141,10 +146,16 @@ impl Verify {
             RefinedAxis::Grid => Axis::Grid,
         };
         let mut settings = settings(self.ladder.as_ref(), axis)?;
-        settings.steps = match (self.divide, self.uneven) {
-            (true, _) => Steps::Divide,
-            (false, true) => Steps::Uneven,
-            (false, false) => Steps::PartLast,
+        settings.steps = match (self.spacing, self.divide, self.uneven) {
+            (Some(Spaced(Some(_))), ..) if axis == Axis::Grid => {
+                return Err(Failure::Usage(
+                    "--spacing with --axis grid (allowed: with --axis step)".into(),
+                ));
+            }
+            (Some(Spaced(Some(spacing))), ..) => Steps::Spaced(spacing),
+            (_, true, _) => Steps::Divide,
+            (_, _, true) => Steps::Uneven,
+            (_, false, false) => Steps::PartLast,
         };
         settings.expect.clone_from(&self.expect);
         settings.replicas = self.replicas.unwrap_or(REPLICAS);

@@ -1,5 +1,6 @@
 //! How a ray is cut into segments.
 
+use super::Spacing;
 use crate::case::nodes::grid::Grid;
 use crate::real::{Format, Native};
 use rug::Rational;
@@ -14,6 +15,8 @@ pub enum Cut {
     Segments(u64),
     /// Segments of that length, the last one shorter where it does not divide the ray.
     Step(f64),
+    /// That many segments of uneven lengths; d is D/n, their mean.
+    Spaced(u64, Spacing),
 }
 
 /// Where a ray that is cut is looked at.
@@ -22,6 +25,17 @@ pub(super) struct Places {
     pub(super) edges: Vec<f64>,
     /// The middles of segments.
     pub(super) middles: Vec<f64>,
+}
+
+impl Places {
+    /// Those of segments with these ends.
+    pub(super) fn of(edges: Vec<f64>) -> Places {
+        let middles = edges.windows(2).map(|ends| f64::midpoint(ends[0], ends[1]));
+        Places {
+            middles: middles.collect(),
+            edges,
+        }
+    }
 }
 
 /// A level that no task can have.
@@ -48,7 +62,7 @@ impl Cut {
     /// [`CutError`] where there would be no segments, or more than [`MAX_TASK_SEGMENTS`].
     pub fn on(self, length: &Rational) -> Result<(Rational, u64), CutError> {
         let (step, segments) = match self {
-            Cut::Segments(n) => {
+            Cut::Segments(n) | Cut::Spaced(n, _) => {
                 if n == 0 {
                     return Err(CutError::Segments { segments: 0.0 });
                 }
@@ -77,9 +91,12 @@ impl Cut {
     pub(super) fn places(self, length: &Rational) -> Result<Places, CutError> {
         let (step, count) = self.on(length)?;
         let format = Native::<f64>::new();
+        if let Cut::Spaced(n, spacing) = self {
+            return Ok(Places::of(spacing.edges(n, format.ratio(length))));
+        }
         let grid = match self {
             Cut::Segments(_) => Grid::new(length, 2 * count, &Rational::new()),
-            Cut::Step(_) => None,
+            Cut::Step(_) | Cut::Spaced(..) => None,
         };
         let edge = |i: u64| {
             if i == count {

@@ -140,6 +140,17 @@ impl Declaration {
         self.order.or_else(of_method)
     }
 
+    /// Where the sample of its far wall lies, if it has one.
+    #[must_use]
+    pub fn wall(&self) -> Option<WallAt> {
+        self.far_wall.then(|| match self.claimed_sampling() {
+            Some(Sampling::Back | Sampling::Ends) => WallAt::End,
+            Some(Sampling::Front | Sampling::Middle | Sampling::Jittered) | None => {
+                WallAt::BeforeEnd
+            }
+        })
+    }
+
     /// Where it claims to sample: as it says, or as its method does.
     #[must_use]
     pub fn claimed_sampling(&self) -> Option<Sampling> {
@@ -193,6 +204,15 @@ pub enum DeclarationError {
         /// The method's.
         own: Sampling,
     },
+}
+
+/// Where the sample lies that a far wall is made of.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum WallAt {
+    /// Up to a step in front of the end of the ray.
+    BeforeEnd,
+    /// At the end: where the medium absorbs nothing there, there is no wall.
+    End,
 }
 
 /// Where a kernel samples its segments.

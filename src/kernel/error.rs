@@ -138,6 +138,17 @@ pub enum KernelError {
         /// What it says.
         value: f64,
     },
+    /// Ends of segments that cannot be.
+    #[error(
+        "edges really used: {problem} (allowed: 2 to {} that ascend, from 0 to the length of the ray)", MAX_TASK_SEGMENTS + 1
+    )]
+    Edges {
+        /// What is wrong with them.
+        problem: String,
+    },
+    /// Ends of segments, and how many these are.
+    #[error("edges beside a step or a number of segments (allowed: one of them)")]
+    EdgesBeside,
     /// The kernel says that it cannot do it.
     #[error("the kernel refuses: {}", one_line(reason))]
     Refused {

@@ -1,5 +1,6 @@
 //! A case as kernels see it: in binary64, with all its channels.
 
+use super::cut::Places;
 use super::{Cut, CutError, Formula, Samples, Segments, Table, Volume};
 use crate::case::{Case, SymbolicCase};
 use crate::real::{Format, Native};
@@ -162,10 +163,20 @@ impl Subject {
     /// [`CutError`] where that is not possible.
     pub fn segments(&self, cut: Cut) -> Result<Segments, CutError> {
         let places = cut.places(&self.length)?;
-        Ok(Segments {
+        Ok(self.at_places(places))
+    }
+
+    /// The segments with these ends.
+    #[must_use]
+    pub fn segments_between(&self, edges: Vec<f64>) -> Segments {
+        self.at_places(Places::of(edges))
+    }
+
+    fn at_places(&self, places: Places) -> Segments {
+        Segments {
             edges: self.samples(places.edges),
             middles: self.samples(places.middles),
-        })
+        }
     }
 
     fn samples(&self, lambda: Vec<f64>) -> Samples {

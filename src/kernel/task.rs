@@ -9,9 +9,9 @@ use std::fmt;
 pub struct Task<'a> {
     /// The ray. As many radiances are wanted as it has channels.
     pub subject: &'a dyn Medium,
-    /// The step d asked for.
+    /// The step d asked for; of uneven segments their mean length.
     pub step: f64,
-    /// How many segments that makes: ⌈D/d⌉, the last one shorter where d does not divide D.
+    /// How many segments that makes: ⌈D/d⌉, the last one shorter where d does not divide D and they are not uneven.
     pub segments: u64,
     /// For kernels that draw random numbers: the same seed, the same answer.
     pub seed: u64,
@@ -94,7 +94,7 @@ impl Segments {
         self.middles.lambda.len()
     }
 
-    /// The lengths of the segments, all the same but perhaps the last.
+    /// The lengths of the segments: all the same but perhaps the last, if they are not spaced unevenly.
     #[must_use]
     pub fn lengths(&self) -> impl ExactSizeIterator<Item = f64> + '_ {
         self.edges.lambda.windows(2).map(|ends| ends[1] - ends[0])

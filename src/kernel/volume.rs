@@ -1,5 +1,6 @@
 //! The medium that a volume and its tables stand for: linear between grid points, linear between entries.
 
+use super::cut::Places;
 use super::{Cut, CutError, Samples, Segments, Table, Volume};
 use crate::real::{Format, Native};
 use rug::Rational;
@@ -103,7 +104,26 @@ impl Volume {
         cut: Cut,
         lookup: impl Fn(&Table, f64, &mut [f64]) -> f64,
     ) -> Result<Segments, CutError> {
-        let places = cut.places(length)?;
+        Ok(self.at_places(cut.places(length)?, length, lookup))
+    }
+
+    /// The same of segments with these ends.
+    #[must_use]
+    pub fn segments_between(
+        &self,
+        edges: Vec<f64>,
+        length: &Rational,
+        lookup: impl Fn(&Table, f64, &mut [f64]) -> f64,
+    ) -> Segments {
+        self.at_places(Places::of(edges), length, lookup)
+    }
+
+    fn at_places(
+        &self,
+        places: Places,
+        length: &Rational,
+        lookup: impl Fn(&Table, f64, &mut [f64]) -> f64,
+    ) -> Segments {
         let whole = Native::<f64>::new().ratio(length);
         let samples = |lambda: Vec<f64>| {
             let mut samples = Samples {
@@ -121,10 +141,10 @@ impl Volume {
             }
             Samples { lambda, ..samples }
         };
-        Ok(Segments {
+        Segments {
             edges: samples(places.edges),
             middles: samples(places.middles),
-        })
+        }
     }
 
     /// The ray cut wherever C or τ has a kink, as parts of its length: they are linear between.

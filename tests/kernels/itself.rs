@@ -55,7 +55,7 @@ fn contradicted(
     for settings in ladders {
         let mut kernel = BuiltIn::new(method, format);
         let found = verify(&mut kernel, subjects, settings, &Silent, &mut |_| ()).unwrap();
-        let steps = settings.steps.name();
+        let steps = settings.steps;
         if found.contradicts_declaration() {
             said.push(format!("{method}@{format}, {steps}: other values"));
         }
@@ -70,7 +70,7 @@ fn contradicted(
         let lines = found.lines.iter();
         let bad = lines.filter(|line| line.standing == Standing::Contradicted);
         said.extend(bad.map(|line| {
-            let steps = settings.steps.name();
+            let steps = settings.steps;
             let verdict = line.measured.verdict();
             let order = line.measured.order();
             let (name, expected) = (&line.name, line.expected);

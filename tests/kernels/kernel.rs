@@ -3,8 +3,8 @@
 use rug::{Float, Rational};
 use volver::case::{Fresh, Nodes, SineSquared, catalogue, manufacture::manufacture};
 use volver::kernel::{
-    BuiltIn, Closure, Cut, CutError, Data, Declaration, FormKind, Kernel, KernelError, Subject,
-    Task,
+    BuiltIn, Closure, Cut, CutError, Data, Declaration, FormKind, Kernel, KernelError, Spacing,
+    Subject, Task,
 };
 use volver::method::Method;
 use volver::real::{FormatName, Mpfr, Native, Real};
@@ -31,6 +31,60 @@ fn segments_have_the_values_that_methods_see() {
     let by_hand = Fresh::new(&SineSquared, Native::<f64>::new()).boundaries(6);
     for (a, b) in segments.edges.extinction.iter().zip(&by_hand.extinction) {
         assert!((a - b).abs() < 1e-15);
+    }
+}
+
+#[test]
+fn uneven_segments_lie_as_their_names_say() {
+    let subject = subject("homogeneous");
+    let length = 2.0;
+    let edges = |n, name: &str| {
+        let spacing: Spacing = name.parse().unwrap();
+        assert_eq!(spacing.to_string(), name);
+        let cut = Cut::Spaced(n, spacing);
+        let segments = subject.segments(cut).unwrap();
+        assert_eq!(
+            segments,
+            subject.segments_between(segments.edges.lambda.clone())
+        );
+        segments.edges.lambda
+    };
+    // What is even in each.
+    let maps: [(&str, fn(f64) -> f64); 3] = [
+        ("square", |part| part.sqrt()),
+        ("log", |part| (1.0 + 99.0 * part).ln() / 100_f64.ln()),
+        ("disparity", |part| {
+            10.0 / 9.0 * (1.0 - 1.0 / (1.0 + 9.0 * part))
+        }),
+    ];
+    for (name, even) in maps {
+        let edges = edges(7, name);
+        assert_eq!((edges[0], edges[7]), (0.0, length));
+        for (i, edge) in edges.iter().enumerate() {
+            let u = even(edge / length);
+            assert!((u - i as f64 / 7.0).abs() < 1e-14, "{name}: {u} at {i}");
+        }
+    }
+    let random = edges(21, "random:5");
+    let lengths: Vec<f64> = random.windows(2).map(|ends| ends[1] - ends[0]).collect();
+    assert_eq!((random[0], random[21]), (0.0, length));
+    for (a, b) in lengths.iter().zip(&lengths[3..]) {
+        assert!((a - b).abs() < 1e-14);
+    }
+    let longest = lengths.iter().copied().fold(0.0, f64::max);
+    let shortest = lengths.iter().copied().fold(1.0, f64::min);
+    assert!(shortest < 0.95 * longest && longest < 9.0 * shortest);
+    assert_ne!(random, edges(21, "random:6"));
+    for wrong in [
+        "",
+        "even ",
+        "random",
+        "random:",
+        "random:-1",
+        "random:1.5",
+        "logs",
+    ] {
+        wrong.parse::<Spacing>().unwrap_err();
     }
 }
 

@@ -7,6 +7,7 @@ mod ladder;
 mod quantum;
 mod said;
 mod stochastic;
+mod uneven;
 mod volume;
 mod wall;
 

@@ -95,6 +95,7 @@ impl Kernel for LibraryKernel {
             gradient: None,
             step: Some(answer.step).filter(|step| *step > 0.0),
             segments: Some(answer.segments).filter(|segments| *segments > 0),
+            edges: None,
             standard_error: Some(answer.standard_error).filter(|errors| told(errors)),
         })
     }

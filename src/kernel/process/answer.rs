@@ -7,6 +7,7 @@ use super::message::{Answer, AnswerTag, Outcome};
 use super::number::Number;
 use super::trouble::{Trouble, said};
 use crate::kernel::{Gradient, KernelError, Quantity, Rendering, Task};
+use crate::real::{Format, Native};
 use serde_json::error::Category;
 
 /// One result a task.
@@ -83,6 +84,9 @@ fn rendering(
     if is_first && (outcome.optical_depth.is_some() || outcome.expected_depth.is_some()) {
         return Err("a result with a depth (allowed: in protocol 2)");
     }
+    if is_first && outcome.edges.is_some() {
+        return Err("a result with edges (allowed: in protocol 2)");
+    }
     let is_answered = if is_first {
         outcome.radiance.is_some()
     } else {
@@ -133,7 +137,9 @@ fn rendering(
             _ => None,
         };
         let radiance = outcome.radiance.unwrap_or_default();
-        Ok(Rendering {
+        let edges = outcome.edges.as_ref();
+        let length = Native::<f64>::new().ratio(task.subject.length());
+        let rendering = Rendering {
             radiance: radiance.into_iter().map(float).collect(),
             opacity: outcome.opacity.map(float),
             optical_depth: outcome.optical_depth.map(float),
@@ -141,10 +147,12 @@ fn rendering(
             gradient,
             step: outcome.step.as_ref().map(used_step).transpose()?,
             segments: outcome.segments.as_ref().map(used_segments).transpose()?,
+            edges: edges.map(|edges| edges.iter().map(Number::to_f64).collect()),
             standard_error: outcome
                 .standard_error
                 .map(|errors| errors.iter().map(Number::to_f64).collect()),
-        })
+        };
+        rendering.with_edges_on(length)
     };
     Ok(checked())
 }

@@ -373,6 +373,8 @@ pub(super) struct Outcome {
     pub(super) step: Option<Number>,
     /// The number of segments really used, where it is not the one asked for; above 0.
     pub(super) segments: Option<Number>,
+    /// The ends of the segments really used, ascending from 0 to D, where they are not those asked for. Of version 2.
+    pub(super) edges: Option<Vec<Number>>,
     /// Of every channel's radiance, where the kernel estimates it.
     pub(super) standard_error: Option<Vec<Number>>,
     /// Of a task with cotangents, and of no other. Of version 2.

@@ -18,7 +18,7 @@ struct Document<'a> {
     sampling_declared: bool,
     format: String,
     far_wall: bool,
-    steps: &'static str,
+    steps: String,
     ladder: &'a [u64],
     orders: Orders,
     conclusion: &'static str,
@@ -95,7 +95,7 @@ pub fn json(gradients: &Gradients, own: &Own) -> Result<String, ReportError> {
         sampling_declared: gradients.places.is_declared,
         format: declaration.format.to_string(),
         far_wall: declaration.far_wall,
-        steps: gradients.settings.steps.name(),
+        steps: gradients.settings.steps.to_string(),
         ladder: &gradients.settings.ladder,
         orders: Orders {
             extinction: gradients.orders[0],

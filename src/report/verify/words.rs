@@ -299,6 +299,7 @@ pub(super) fn axis(verification: &Verification) -> String {
             Steps::PartLast => format!("n = {ladder}, the last segment ³⁄₁₀ of the others"),
             Steps::Divide => format!("n = {ladder}, d = D/n"),
             Steps::Uneven => format!("n = {ladder}, d = ⅞ D/n divides no ray"),
+            Steps::Spaced(spacing) => format!("n = {ladder}, ends of segments {spacing}"),
         },
         Axis::Grid => format!("cells of the grid = {ladder}"),
     }

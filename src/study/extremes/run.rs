@@ -234,6 +234,12 @@ fn checked(
     if declaration.has(Quantity::Radiance) && got != 1 {
         return Err(KernelError::Channels { got, wanted: 1 });
     }
+    // Rays are of length 1.
+    let rendering = rendering.with_edges_on(1.0)?;
+    if let Some(edges) = &rendering.edges {
+        let used = edges.len() as u64 - 1;
+        return Ok((rendering, used));
+    }
     let used = match (rendering.segments, rendering.step) {
         (Some(segments), _) if (1..=MAX_TASK_SEGMENTS).contains(&segments) => segments,
         (Some(segments), _) => {
@@ -241,7 +247,6 @@ fn checked(
             let what = "number of segments";
             return Err(KernelError::Used { what, value });
         }
-        // Rays are of length 1.
         (None, Some(step)) => {
             let count = (1.0 / step).round();
             if !(count >= 1.0 && count <= MAX_TASK_SEGMENTS as f64) {

@@ -3,7 +3,7 @@
 use super::GradientError;
 use super::integrated::{self, Integrals};
 use crate::case::{Case, SymbolicCase, Transfer, Unproved};
-use crate::kernel::Subject;
+use crate::kernel::{Subject, WallAt};
 use crate::real::{Format, Mpfr, MpfrReal, Real};
 use crate::reference::{self, Reference};
 use crate::study::verify::wall_opacity;
@@ -36,7 +36,7 @@ pub(super) struct Theory<'a> {
 }
 
 impl<'a> Theory<'a> {
-    pub(super) fn new(subject: &'a Subject, far_wall: bool) -> Result<Self, GradientError> {
+    pub(super) fn new(subject: &'a Subject, wall: Option<WallAt>) -> Result<Self, GradientError> {
         let mut unproved = Vec::new();
         let mut whole = Vec::new();
         for (channel, case) in subject.cases().iter().enumerate() {
@@ -48,7 +48,7 @@ impl<'a> Theory<'a> {
                 }
             }
             let seen = (-depth.value).exp();
-            let end = of_end(subject, case, channel, far_wall);
+            let end = of_end(subject, case, channel, wall);
             whole.push(radiance.value + seen * end);
         }
         Ok(Theory {
@@ -92,11 +92,11 @@ impl<'a> Theory<'a> {
 }
 
 /// What stands at the end of the ray: a background, or a wall of what the last sample emits.
-fn of_end(subject: &Subject, case: &SymbolicCase, channel: usize, far_wall: bool) -> Float {
+fn of_end(subject: &Subject, case: &SymbolicCase, channel: usize, wall: Option<WallAt>) -> Float {
     let format = Mpfr { bits: BITS };
-    if far_wall {
+    if let Some(at) = wall {
         let wall = case.transfer(&case.field(&format.ratio(subject.length())));
-        return (wall.emission * &wall_opacity(case, format)).to_float();
+        return (wall.emission * &wall_opacity(case, at, format)).to_float();
     }
     let behind = subject.background().get(channel);
     Float::with_val(BITS, behind.copied().unwrap_or(0.0))

@@ -51,7 +51,7 @@ impl Asked<'_> {
             case: subject.name().into(),
             error,
         };
-        let theory = Theory::new(subject, self.declaration.far_wall)?;
+        let theory = Theory::new(subject, self.declaration.wall())?;
         let cotangents = cotangents(subject.channels().len());
         let mut found = Found {
             series: Series::default(),
@@ -179,7 +179,7 @@ impl Asked<'_> {
                 found.series[derivative as usize][norm as usize].push(Sample {
                     n: match level.cut {
                         Cut::Segments(n) => Some(n),
-                        Cut::Step(_) => None,
+                        Cut::Step(_) | Cut::Spaced(..) => None,
                     },
                     step: level.step,
                     error: Float::with_val(BITS, error),
@@ -266,7 +266,7 @@ impl Level {
         #[allow(clippy::float_cmp)]
         let other_step = rendering.step.is_some_and(|step| step != self.step);
         let other_count = rendering.segments.is_some_and(|count| count != self.count);
-        if other_step || other_count {
+        if other_step || other_count || rendering.edges.is_some() {
             return Err(LevelError::OtherCut);
         }
         Ok((rendering, gradient))

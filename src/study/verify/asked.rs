@@ -10,11 +10,12 @@ mod wanted;
 pub(super) use wanted::{Run, Wanted, depth_rule};
 
 use super::identified::SeenLevel;
-use super::{Axis, Settings, VerifyError};
+use super::{Axis, Settings, Steps, VerifyError};
 use crate::kernel::{
     Cut, CutError, Data, Declaration, FormKind, Formula, Kernel, KernelError, Quantity, Rendering,
     Segments, Subject, Task, Volume,
 };
+use crate::real::{Format, Native};
 use crate::study::Progress;
 use rug::{Float, Rational};
 
@@ -89,6 +90,11 @@ impl<'a> Asked<'a> {
         }
         if settings.axis == Axis::Grid && !declaration.has(Quantity::Radiance) {
             return Err(VerifyError::NoRadiance);
+        }
+        if let Steps::Spaced(_) = settings.steps
+            && (form != FormKind::Segments || declaration.step_divides)
+        {
+            return Err(VerifyError::Spacing { form });
         }
         let cut_error = |error| VerifyError::Cut {
             case: subject.name().into(),
@@ -198,12 +204,10 @@ impl<'a> Asked<'a> {
             let Some(Ok(rendering)) = answer else {
                 continue;
             };
-            let cut = self.used(level, rendering);
-            let used = cut.on(self.subject.length());
-            let (step, _) = used.map_err(|error| self.cut_error(error))?;
+            let used = self.used(level, Some(rendering))?;
             seen.push(SeenLevel {
-                segments: self.segments(level, cut)?,
-                step: step.to_f64(),
+                segments: used.segments,
+                step: used.step,
                 answers: rendering.radiance.iter().map(Float::to_f64).collect(),
             });
         }
@@ -243,8 +247,10 @@ impl<'a> Asked<'a> {
                 return Err(KernelError::Answers { quantity, given });
             }
         }
+        let length = Native::<f64>::new().ratio(self.subject.length());
+        let rendering = rendering.with_edges_on(length)?;
         let used = |what, value| Err(KernelError::Used { what, value });
-        let cut = || self.used(level, &rendering).on(self.subject.length());
+        let cut = || self.cut(level, &rendering).on(self.subject.length());
         match (rendering.segments, rendering.step) {
             (_, Some(step)) if !(step.is_finite() && step > 0.0) => used("step", step),
             (Some(0), _) => used("number of segments", 0.0),

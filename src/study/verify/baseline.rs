@@ -7,9 +7,11 @@ use super::{
 };
 use crate::convergence::Ladder;
 use crate::identify::{Stated, parts};
+use crate::kernel::{Spacing, SpacingError};
 use serde::{Deserialize, Serialize};
 use std::collections::BTreeSet;
 use std::fmt;
+use std::str::FromStr;
 
 /// The version of the file.
 const VERSION: u32 = 2;
@@ -35,6 +37,9 @@ pub struct Baseline {
     /// Whether steps divided the ray: so they did before they could do otherwise.
     #[serde(default = "always")]
     pub divides: bool,
+    /// How segments of many lengths lay; none where they were even.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub spacing: Option<String>,
     /// The order expected in place of the declared one.
     pub expect: Option<String>,
     /// Seeds a level, for kernels that draw random numbers.
@@ -114,6 +119,12 @@ pub enum BaselineError {
         /// The word.
         found: String,
     },
+    /// Another word than those for where segments end.
+    #[error("'spacing': {error}")]
+    Spacing {
+        /// Why.
+        error: SpacingError,
+    },
     /// Levels, an order or a number of seeds that no kernel can be tested with.
     #[error("'{key}': {error}")]
     Settings {
@@ -185,6 +196,10 @@ impl Baseline {
             grid: settings.axis == Axis::Grid,
             uneven: settings.steps == Steps::Uneven,
             divides: settings.steps == Steps::Divide,
+            spacing: match settings.steps {
+                Steps::Spaced(spacing) => Some(spacing.to_string()),
+                Steps::PartLast | Steps::Divide | Steps::Uneven => None,
+            },
             expect: settings.expect.as_ref().map(ToString::to_string),
             replicas: settings.replicas,
             fingerprint: None,
@@ -270,6 +285,8 @@ impl Baseline {
         let wrong = |key| move |error| BaselineError::Settings { key, error };
         let ladder = Ladder::segments(self.ladder.clone()).map_err(SettingsError::from);
         let ladder = ladder.and_then(|ladder| Settings::new(&ladder));
+        let spacing = self.spacing.as_deref().map(Spacing::from_str).transpose();
+        let spacing = spacing.map_err(|error| BaselineError::Spacing { error })?;
         let expect = self.expect.as_deref().map(Settings::order).transpose();
         let identify = Identify::of_name(&self.identify);
         let accepted = self.deviations.iter().map(BaselineDeviation::accepted);
@@ -283,10 +300,11 @@ impl Baseline {
             },
             accept: accepted.collect(),
             axis: if self.grid { Axis::Grid } else { Axis::Step },
-            steps: match (self.uneven, self.divides) {
-                (true, _) => Steps::Uneven,
-                (false, true) => Steps::Divide,
-                (false, false) => Steps::PartLast,
+            steps: match (spacing, self.uneven, self.divides) {
+                (Some(spacing), ..) => Steps::Spaced(spacing),
+                (None, true, _) => Steps::Uneven,
+                (None, false, true) => Steps::Divide,
+                (None, false, false) => Steps::PartLast,
             },
             expect: expect.map_err(wrong("expect"))?,
             replicas: Settings::replicas(self.replicas).map_err(wrong("replicas"))?,

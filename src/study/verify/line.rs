@@ -6,7 +6,7 @@ use crate::case::Unproved;
 use crate::convergence::{
     ErrorPart, FLOOR_MARGIN, Fit, Replicas, ReportedError, Sample, StochasticFit, Verdict,
 };
-use crate::kernel::{KernelError, Quantity};
+use crate::kernel::{KernelError, Quantity, Segments};
 use crate::method::Expected;
 use rug::Float;
 
@@ -184,6 +184,8 @@ pub(super) struct Radiances {
 pub(super) struct LevelRadiances {
     /// Segments of the ray.
     pub(super) segments: u64,
+    /// The segments, lit as what is wanted, where methods do not cut the ray so by themselves.
+    pub(super) uneven: Option<Segments>,
     pub(super) n: Option<u64>,
     pub(super) step: f64,
     /// By seed.
@@ -223,6 +225,12 @@ impl Radiances {
             levels.flat_map(|level| level.values.iter().map(|value| (value, &level.floor)));
         let mut outside = values.filter(|(value, floor)| is_outside(value, floor));
         outside.next().map(|(value, _)| value.to_f64())
+    }
+
+    /// The segments of every level that methods do not cut so by themselves.
+    pub(super) fn uneven(&self) -> Vec<&Segments> {
+        let uneven = self.levels.iter().map(|level| level.uneven.as_ref());
+        uneven.flatten().collect()
     }
 
     /// Whether every answer is a number.

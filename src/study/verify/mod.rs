@@ -362,6 +362,14 @@ pub enum VerifyError {
         /// The form it takes.
         form: crate::kernel::FormKind,
     },
+    /// The kernel is not given segments, or takes even ones alone.
+    #[error(
+        "the kernel takes {form} cut by itself or evenly (allowed with --spacing: segments, whatever their lengths)"
+    )]
+    Spacing {
+        /// The form it takes.
+        form: crate::kernel::FormKind,
+    },
     /// The kernel answers nothing that is looked at on this axis.
     #[error(
         "the kernel answers no radiance (allowed with --axis grid: a radiance among its answers)"

@@ -4,9 +4,10 @@ use super::{Accepted, Identify};
 use crate::case::nodes::gcd;
 use crate::convergence::{Ladder, LadderError, MIN_REPLICAS};
 use crate::identify::stated;
-use crate::kernel::{Cut, Declaration, MAX_TASK_SEGMENTS, Subject};
+use crate::kernel::{Cut, Declaration, MAX_TASK_SEGMENTS, Spacing, Subject};
 use crate::symbolic::parse_number;
 use rug::Rational;
+use std::fmt;
 
 /// Entries of the tables of transfer functions: so many that the kinks between them do not show.
 pub const TABLE_ENTRIES: usize = 1024;
@@ -58,6 +59,8 @@ pub enum Steps {
     Divide,
     /// d = 7/8 D/n: the last segment is another part at every level.
     Uneven,
+    /// Segments of many lengths.
+    Spaced(Spacing),
 }
 
 impl Steps {
@@ -73,17 +76,20 @@ impl Steps {
                 let step = length * Rational::from(UNEVEN) / n;
                 Cut::Step(step.to_f64())
             }
+            Steps::Spaced(spacing) => Cut::Spaced(n, spacing),
             Steps::PartLast | Steps::Divide => Cut::Segments(n),
         }
     }
+}
 
+impl fmt::Display for Steps {
     /// Its name, as in JSON.
-    #[must_use]
-    pub fn name(self) -> &'static str {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
-            Steps::PartLast => "part-last",
-            Steps::Divide => "divide",
-            Steps::Uneven => "uneven",
+            Steps::PartLast => f.pad("part-last"),
+            Steps::Divide => f.pad("divide"),
+            Steps::Uneven => f.pad("uneven"),
+            Steps::Spaced(spacing) => spacing.fmt(f),
         }
     }
 }
@@ -283,7 +289,7 @@ impl Settings {
                 let differences = self.ladder.windows(2).map(|pair| pair[1] - pair[0]);
                 differences.fold(0, gcd)
             }
-            Steps::Uneven => coarsest,
+            Steps::Uneven | Steps::Spaced(_) => coarsest,
         };
         // One cell has no kink at all.
         if shared > 1 { shared } else { coarsest }
@@ -301,7 +307,8 @@ impl Settings {
     /// How it is cut beside the levels, where a kernel takes any number of segments.
     pub(super) fn spots(&self, length: &Rational, declaration: &Declaration) -> Vec<Cut> {
         let takes_any = declaration.multiple_of.get() == 1 && !declaration.stochastic;
-        let is_asked = self.axis == Axis::Step && self.steps != Steps::Uneven;
+        let is_asked =
+            self.axis == Axis::Step && matches!(self.steps, Steps::PartLast | Steps::Divide);
         let within = match self.ladder[..] {
             [_, second, .., last] => second + 1..last,
             _ => 0..0,
@@ -311,7 +318,7 @@ impl Settings {
         });
         let cut = |(n, steps): (u64, Steps)| match self.steps {
             Steps::PartLast => steps.cut(n, length),
-            Steps::Divide | Steps::Uneven => Cut::Segments(n),
+            Steps::Divide | Steps::Uneven | Steps::Spaced(_) => Cut::Segments(n),
         };
         spots.map(cut).collect()
     }

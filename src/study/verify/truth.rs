@@ -4,8 +4,8 @@ use super::VerifyError;
 use super::asked::Wanted;
 use crate::case::{Case, SymbolicCase, Transfer, Unproved};
 use crate::identify::rule::LinearSegments;
-use crate::kernel::{Quantity, Volume};
-use crate::real::{Format, Mpfr, MpfrReal, Real};
+use crate::kernel::{Quantity, Volume, WallAt};
+use crate::real::{Format, Mpfr, MpfrReal, Native, Real};
 use crate::reference::{self, Reference};
 use rug::{Float, Rational};
 
@@ -19,17 +19,21 @@ const WALL_LENGTH: i64 = 10_000_000_000;
 type Truth = (Float, Vec<Unproved>);
 
 /// What is wanted of a case, with what stands at the end of the ray; `None` of a mean depth where nothing absorbs.
-pub(super) fn of(wanted: &Wanted, bits: u32, far_wall: bool) -> Result<Option<Truth>, VerifyError> {
+pub(super) fn of(
+    wanted: &Wanted,
+    bits: u32,
+    wall: Option<WallAt>,
+) -> Result<Option<Truth>, VerifyError> {
     let case = &wanted.case;
     match wanted.quantity {
         Quantity::OpticalDepth => depth(case, bits).map(Some),
-        Quantity::Opacity => opacity(case, bits, far_wall).map(Some),
+        Quantity::Opacity => opacity(case, bits, wall).map(Some),
         Quantity::ExpectedDepth if wanted.is_divided() => {
-            let (opacity, mut unproved) = opacity(case, bits, far_wall)?;
+            let (opacity, mut unproved) = opacity(case, bits, wall)?;
             if opacity.is_zero() {
                 return Ok(None);
             }
-            let (weighted, more) = of_case(case, bits, far_wall)?;
+            let (weighted, more) = of_case(case, bits, wall)?;
             unproved.extend(
                 more.into_iter()
                     .filter(|one| !unproved.contains(one))
@@ -38,14 +42,14 @@ pub(super) fn of(wanted: &Wanted, bits: u32, far_wall: bool) -> Result<Option<Tr
             Ok(Some((weighted / opacity, unproved)))
         }
         Quantity::Radiance if wanted.background != 0.0 => {
-            let (radiance, unproved) = of_case(&wanted.ray, bits, far_wall)?;
+            let (radiance, unproved) = of_case(&wanted.ray, bits, wall)?;
             let (depth, _) = depth(&wanted.ray, bits)?;
             Ok(Some((
                 radiance + (-depth).exp() * wanted.background,
                 unproved,
             )))
         }
-        Quantity::Radiance | Quantity::ExpectedDepth => of_case(case, bits, far_wall).map(Some),
+        Quantity::Radiance | Quantity::ExpectedDepth => of_case(case, bits, wall).map(Some),
     }
 }
 
@@ -57,21 +61,31 @@ fn depth(case: &SymbolicCase, bits: u32) -> Result<Truth, VerifyError> {
 }
 
 /// 1 − e^(−t(D)); 1 less what a wall lets through behind it.
-fn opacity(case: &SymbolicCase, bits: u32, far_wall: bool) -> Result<Truth, VerifyError> {
+fn opacity(case: &SymbolicCase, bits: u32, wall: Option<WallAt>) -> Result<Truth, VerifyError> {
     let (depth, unproved) = depth(case, bits)?;
     let mut opacity = -(-depth.clone()).exp_m1();
-    if far_wall {
-        let wall = wall_opacity(case, Mpfr { bits: depth.prec() });
+    if let Some(at) = wall {
+        let wall = wall_opacity(case, at, Mpfr { bits: depth.prec() });
         opacity += (-depth).exp() * wall.to_float();
     }
     Ok((opacity, unproved))
 }
 
-/// What a wall made of the last sample absorbs, which lies just in front of the end, where a medium may vanish.
-pub(in crate::study) fn wall_opacity(case: &SymbolicCase, format: Mpfr) -> MpfrReal {
+/// What a wall made of the last sample absorbs.
+pub(in crate::study) fn wall_opacity(case: &SymbolicCase, at: WallAt, format: Mpfr) -> MpfrReal {
     let length = case.length();
-    let before = &length - &length * Rational::from(LAST_SAMPLE);
-    let extinction = case.extinction(&case.field(&format.ratio(&before)));
+    let extinction = match at {
+        // A medium may vanish at the end, but not where it is sampled.
+        WallAt::BeforeEnd => {
+            let before = &length - &length * Rational::from(LAST_SAMPLE);
+            case.extinction(&case.field(&format.ratio(&before)))
+        }
+        // As it is given: what binary64 leaves of a medium that vanishes there makes part of a wall.
+        WallAt::End => {
+            let end = Native::<f64>::new().ratio(&length);
+            format.binary64(case.extinction(&case.field(&end)))
+        }
+    };
     -(-(extinction * &format.int(WALL_LENGTH))).exp_m1()
 }
 
@@ -89,17 +103,17 @@ fn found(
 ///
 /// I + T(D) C(s(D)) where there is a far wall, and something in front of it that absorbs. With it what is not proved of
 /// either.
-fn of_case(case: &SymbolicCase, bits: u32, far_wall: bool) -> Result<Truth, VerifyError> {
+fn of_case(case: &SymbolicCase, bits: u32, wall: Option<WallAt>) -> Result<Truth, VerifyError> {
     let reference = found(case, reference::radiance(case, bits))?;
     let unproved = reference.unproved(case);
     let mut radiance = reference.value;
-    if far_wall {
+    if let Some(at) = wall {
         let depth = found(case, reference::optical_depth(case, bits))?.value;
         let format = Mpfr {
             bits: radiance.prec(),
         };
         let wall = case.transfer(&case.field(&format.ratio(&case.length())));
-        let opacity = wall_opacity(case, format);
+        let opacity = wall_opacity(case, at, format);
         radiance += (-depth).exp() * (wall.emission * &opacity).to_float();
     }
     Ok((radiance, unproved))

@@ -272,6 +272,16 @@ fn a_result_has_what_the_greeting_declares_and_no_more() {
             &all,
             "2 radiances (allowed: 1, one a channel)",
         ),
+        (
+            r#""optical_depth":2,"edges":[0,0.5,0.25,1]"#,
+            &projector,
+            "edges really used: 0.5 at 1, then 0.25 (allowed: 2 to 1048577 that ascend, from 0 to the length of the ray)",
+        ),
+        (
+            r#""optical_depth":2,"edges":[0,1],"step":1"#,
+            &projector,
+            "edges beside a step or a number of segments (allowed: one of them)",
+        ),
     ] {
         let read = answered(&line("answer", result), greeting).unwrap();
         assert_eq!(read[0].as_ref().unwrap_err().to_string(), words);
@@ -296,6 +306,12 @@ fn a_result_has_what_the_greeting_declares_and_no_more() {
             r#""radiance":[1],"optical_depth":1"#,
             &first,
             "a result with a depth (allowed: in protocol 2)",
+        ),
+        (
+            "radiance",
+            r#""radiance":[1],"edges":[0,1]"#,
+            &first,
+            "a result with edges (allowed: in protocol 2)",
         ),
         (
             "answer",

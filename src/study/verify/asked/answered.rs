@@ -35,7 +35,7 @@ impl Asked<'_> {
     ) -> Result<Option<Line>, VerifyError> {
         let bits = self.declaration.format.bits().max(f64::MANTISSA_DIGITS);
         let bits = bits + REFERENCE_BITS;
-        let Some((exact, unproved)) = truth::of(wanted, bits, self.declaration.far_wall)? else {
+        let Some((exact, unproved)) = truth::of(wanted, bits, self.declaration.wall())? else {
             return Ok(None);
         };
         let stepwise = match self.levels.first().map(|level| &level.volume) {
@@ -123,23 +123,17 @@ impl Asked<'_> {
         exact: &Float,
         of_tables: f64,
     ) -> Result<Looked, VerifyError> {
-        let used = renderings.first().map(|first| self.used(level, first));
-        let cut = used.unwrap_or(level.cut);
-        let segments = wanted.lit(self.segments(level, cut)?);
+        let used = self.used(level, renderings.first().copied())?;
+        let count = used.count;
+        let is_uneven = used.is_adaptive || matches!(level.cut, Cut::Spaced(..));
+        let segments = wanted.lit(used.segments);
         let channel = wanted.channel;
-        let uniform = match cut {
-            Cut::Segments(n) => Some(n),
-            Cut::Step(_) => None,
-        };
-        // Refused already, where the ray cannot be cut so.
-        let used = cut.on(self.subject.length());
-        let (used, count) = used.map_err(|error| self.cut_error(error))?;
         let given = Given {
             case: &wanted.case,
             segments: &segments,
-            step: used.to_f64(),
+            step: used.step,
             channel,
-            uniform,
+            uniform: used.is_uniform.then_some(count),
         };
         let nominal = self.nominal(wanted, &given);
         let values = renderings.iter().filter_map(|one| wanted.of(one).cloned());
@@ -169,6 +163,7 @@ impl Asked<'_> {
         Ok(Looked {
             radiances: LevelRadiances {
                 segments: count,
+                uneven: is_uneven.then_some(segments),
                 n,
                 step,
                 values,
@@ -240,8 +235,13 @@ impl Asked<'_> {
             _ => None,
         };
         let format = self.declaration.format;
+        let uneven = radiances.uneven();
         order.map_or(Ok(Peers::None), |order| {
-            let methods = wanted.methods(order);
+            let methods = if uneven.is_empty() {
+                wanted.methods(order)
+            } else {
+                wanted.methods_between(order, &uneven)
+            };
             Peers::of_order(&methods, expected, format, &radiances.exact, levels)
         })
     }
@@ -309,7 +309,12 @@ impl Asked<'_> {
         let of_spots = of_spots.map_err(fit_error)?;
         let exact = &radiances.exact;
         let seen = peers.beside(exact, &levels);
-        let remarks = remarks(&seen, &of_spots.beside(exact, &beside));
+        // Of few uneven segments each rule makes something else.
+        let remarks = if radiances.uneven().is_empty() {
+            remarks(&seen, &of_spots.beside(exact, &beside))
+        } else {
+            Vec::new()
+        };
         // What scatters may do so about 1.
         let is_bounded = wanted.quantity == Quantity::Opacity && !self.declaration.stochastic;
         let outside = is_bounded

@@ -8,7 +8,8 @@
 
 use crate::case::manufacture::lit;
 use crate::case::{Case, Fresh, SymbolicCase};
-use crate::identify::rule::Place;
+use crate::identify::rule::{self as identify, Place};
+use crate::identify::stated;
 use crate::kernel::{
     Declaration, DepthWeights, Quantity, Rendering, Samples, Segments, Subject, radiance_in,
 };
@@ -144,6 +145,27 @@ impl Wanted {
         }
     }
 
+    /// Methods of that order that are rules, each run on these segments, of which no two levels have the same number.
+    pub(in crate::study::verify) fn methods_between<'s>(
+        &self,
+        order: f64,
+        levels: &'s [&'s Segments],
+    ) -> Vec<Run<'s>> {
+        if self.quantity == Quantity::OpticalDepth || self.is_divided() {
+            return Vec::new();
+        }
+        let run = |method: Method| {
+            let rule = Box::new(stated(&method)?);
+            Some(Run::Between {
+                rule,
+                levels,
+                channel: self.channel,
+                behind: self.background,
+            })
+        };
+        peers::methods(order).into_iter().filter_map(run).collect()
+    }
+
     /// Methods of that order, each run on a number of segments in a format.
     pub(in crate::study::verify) fn methods(&self, order: f64) -> Vec<Run<'_>> {
         let is_of_order = |rule: &Rule| (f64::from(rule.order()) - order).abs() < f64::EPSILON;
@@ -179,7 +201,7 @@ const DEPTHS: [Rule; 8] = [
 ];
 
 /// A method on the ray of a quantity.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Debug)]
 pub(in crate::study::verify) enum Run<'a> {
     /// Its radiance, and what is behind it.
     Radiance(&'a SymbolicCase, Method, f64),
@@ -187,6 +209,13 @@ pub(in crate::study::verify) enum Run<'a> {
     Divided(&'a SymbolicCase, &'a SymbolicCase, Method),
     /// The optical depth by a rule.
     Depth(&'a SymbolicCase, Inner),
+    /// The radiance of a rule on one of these levels, and what is behind it.
+    Between {
+        rule: Box<identify::Rule>,
+        levels: &'a [&'a Segments],
+        channel: usize,
+        behind: f64,
+    },
 }
 
 impl Run<'_> {
@@ -207,12 +236,49 @@ impl Run<'_> {
                 let weighted = radiance_in(format, method, *case, n)?;
                 Ok(weighted / radiance_in(format, method, *even, n)?)
             }
+            Run::Between {
+                rule,
+                levels,
+                channel,
+                behind,
+            } => {
+                let level = levels.iter().find(|level| level.count() as u64 == n);
+                let radiance = |segments: &Segments| {
+                    format.with(Ruled {
+                        rule,
+                        segments,
+                        channel: *channel,
+                    })
+                };
+                let radiance = level.map(|level| radiance(level));
+                let nothing = || Float::with_val(f64::MANTISSA_DIGITS, f64::NAN);
+                Ok(radiance.unwrap_or_else(nothing) + *behind)
+            }
             Run::Depth(case, inner) => format.with(DepthIn {
                 case,
                 inner: *inner,
                 n,
             }),
         }
+    }
+}
+
+/// A rule on segments; no rule of a method looks at the step.
+struct Ruled<'a> {
+    rule: &'a identify::Rule,
+    segments: &'a Segments,
+    channel: usize,
+}
+
+impl WithFormat for Ruled<'_> {
+    type Output = Float;
+
+    fn run<F: Format>(self, format: F) -> Float {
+        let composed = self.rule.composed(self.segments, f64::NAN, format);
+        let radiance = self
+            .rule
+            .radiance(&composed, self.segments, self.channel, format);
+        radiance.to_float()
     }
 }
 
