@@ -7,6 +7,11 @@ render(task) is given a task of the protocol as a dictionary, and returns the ra
 dictionary with "radiance" and what else a result may hold; with "answers" in the declaration what these name. What it
 raises becomes the task's error. It may print.
 Arrays are array.array("d"), which numpy.asarray takes without a copy; with "arrays": "json" they are lists.
+
+With "batch": N in the declaration, render(frame) is given up to N rays at once: a dictionary of "rays", "channels",
+"cases" and the blocks of the protocol ("offsets", "edges_extinction" …) as memoryviews of their shape, which
+numpy.asarray takes without a copy. It returns a dictionary of "radiance", of shape (rays, channels), and what else is
+declared, of shape (rays,): arrays of binary64, of NumPy or of array.array, or lists.
 """
 
 import array
@@ -30,14 +35,66 @@ def serve(declaration, render):
 
     requests.readline()  # volver's greeting, which has nothing that a kernel needs
     # From some hundred numbers on files are much faster than text.
-    protocol = 2 if "answers" in declaration or "gradient" in declaration else 1
+    protocol = 2 if declaration.keys() & {"answers", "gradient", "batch", "background"} else 1
     answer({"type": "hello", "protocol": protocol, "arrays": "npy", **declaration})
     for line in requests:
+        if line.startswith(b'{"type":"frame"'):
+            header, blocks = _framed(render, json.loads(line), requests)
+            answers.write(json.dumps(header).encode() + b"\n")
+            answers.writelines(blocks)
+            answers.flush()
+            continue
         request = json.loads(line, object_hook=_loaded)
         if b'nan"' in line or b'inf"' in line:
             request = _floats(request)
         results = [_result(render, task) for task in request["tasks"]]
         answer({"type": "answer" if protocol == 2 else "radiance", "id": request["id"], "results": results})
+
+
+def _framed(render, frame, requests):
+    """The line of the answer to many rays, and what stands behind it."""
+    data = memoryview(requests.read(frame["bytes"]))
+    for block in frame.pop("blocks"):
+        own, data = data[: 8 * math.prod(block["shape"])], data[8 * math.prod(block["shape"]) :]
+        kind = {"<f8": "d", "<i8": "q", "<u8": "Q"}[block["type"]]
+        if sys.byteorder == "big":
+            values = array.array(kind, bytes(own))
+            values.byteswap()
+            own = memoryview(values).cast("B")
+        frame[block["name"]] = own.cast(kind, block["shape"]) if len(own) else own.cast(kind)
+    answer = {"type": "frame", "id": frame["id"]}
+    try:
+        result = render(frame)
+        named = {name: _block(name, values) for name, values in result.items() if name != "errors"}
+    except Exception as error:
+        traceback.print_exc()
+        return {**answer, "error": f"{type(error).__name__}: {error}"}, []
+    if "errors" in result:
+        answer["errors"] = result["errors"]
+    answer["blocks"] = [{"name": name, "type": kind, "shape": shape} for name, (kind, shape, _) in named.items()]
+    answer["bytes"] = sum(len(block) for _, _, block in named.values())
+    return answer, [block for _, _, block in named.values()]
+
+
+def _block(name, values):
+    """Its type, its shape and its bytes."""
+    kind = "q" if name == "segments" else "d"
+    if isinstance(values, list):
+        rows = values if values and isinstance(values[0], list) else None
+        flat = array.array(kind, sum(rows, []) if rows else values)
+        shape = [len(values), len(rows[0])] if rows else [len(values)]
+        view = memoryview(flat)
+    else:
+        view = memoryview(values)
+        shape = list(view.shape)
+        if view.format.lstrip("@=<") not in (kind, "l" if kind == "q" else kind):
+            raise TypeError(f"'{name}' of numbers '{view.format}' (allowed: '{kind}', in NumPy .astype({'int' if kind == 'q' else 'float'}))")
+    block = view.tobytes()
+    if sys.byteorder == "big":
+        swapped = array.array(kind, block)
+        swapped.byteswap()
+        block = swapped.tobytes()
+    return ("<i8" if kind == "q" else "<f8"), shape, block
 
 
 def _result(render, task):

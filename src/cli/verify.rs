@@ -32,6 +32,7 @@ LADDER is as for 'volver reproduce'. ORDER is 2, 1.5 or 3/2.
 Examples:
   volver verify method:front-to-back/middle/expm1
   volver verify --cases sine-squared,thick method:trapezoid/trapezoid@f32
+  volver verify --batch 512 -- python3 examples/kernels/nerf.py
   volver verify --uneven --cases polynomial --json - method:tree/front/expm1
   volver verify --extremes method:front-to-back/middle/subtraction@f32";
 
@@ -69,6 +70,10 @@ pub(crate) struct Verify {
     /// as many as 'volver identify'
     #[arg(long, value_enum, default_value = "auto", value_name = "HOW")]
     identify: Identification,
+    /// Ask a program K rays of different length, step and n in one request: each has to have
+    /// the answer that it has alone
+    #[arg(long, value_name = "K", value_parser = batch, allow_negative_numbers = true)]
+    batch: Option<usize>,
     /// Let a known deviation pass as long as it is that, repeatable: early-end=0.0039
     #[arg(long, value_name = "NAME[=VALUE]", value_parser = Accepted::from_str)]
     accept: Vec<Accepted>,
@@ -76,7 +81,7 @@ pub(crate) struct Verify {
     /// one segment
     #[arg(long, conflicts_with_all = [
         "cases", "ladder", "axis", "divide", "uneven", "expect", "replicas", "identify", "accept",
-        "junit", "save",
+        "batch", "junit", "save",
     ])]
     extremes: bool,
     /// Write one JSON document; - is standard output, without the table
@@ -119,6 +124,10 @@ fn replicas(text: &str) -> Result<usize, SettingsError> {
     Settings::replicas(text.parse().unwrap_or(0))
 }
 
+fn batch(text: &str) -> Result<usize, SettingsError> {
+    Settings::batch(text.parse().unwrap_or(0))
+}
+
 /// A ladder as settings, or why not.
 fn settings(ladder: Option<&Ladder>, axis: Axis) -> Result<Settings, Failure> {
     let settings = match ladder {
@@ -154,6 +163,11 @@ impl Verify {
             Identification::Off => Identify::Off,
         };
         settings.accept.clone_from(&self.accept);
+        settings.batch = self.batch;
+        if self.batch.is_some() {
+            self.kernel
+                .only_program("--batch", "which has no requests")?;
+        }
         let at_once = self.kernel.at_once()?;
         let subjects = subjects(&self.cases, "--cases")?;
         output.check()?;
