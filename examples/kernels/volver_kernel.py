@@ -29,8 +29,9 @@ def serve(declaration, render):
     requests = os.fdopen(int(os.environ["VOLVER_REQUESTS"]), "rb")
     answers = os.fdopen(int(os.environ["VOLVER_ANSWERS"]), "wb")
 
-    def answer(message):
+    def answer(message, blocks=()):
         answers.write(json.dumps(message).encode() + b"\n")
+        answers.writelines(blocks)
         answers.flush()
 
     requests.readline()  # volver's greeting, which has nothing that a kernel needs
@@ -39,10 +40,9 @@ def serve(declaration, render):
     answer({"type": "hello", "protocol": protocol, "arrays": "npy", **declaration})
     for line in requests:
         if line.startswith(b'{"type":"frame"'):
-            header, blocks = _framed(render, json.loads(line), requests)
-            answers.write(json.dumps(header).encode() + b"\n")
-            answers.writelines(blocks)
-            answers.flush()
+            frame = json.loads(line)
+            header, blocks = _framed(render, frame, memoryview(requests.read(frame["bytes"])))
+            answer(header, blocks)
             continue
         request = json.loads(line, object_hook=_loaded)
         if b'nan"' in line or b'inf"' in line:
@@ -51,50 +51,52 @@ def serve(declaration, render):
         answer({"type": "answer" if protocol == 2 else "radiance", "id": request["id"], "results": results})
 
 
-def _framed(render, frame, requests):
-    """The line of the answer to many rays, and what stands behind it."""
-    data = memoryview(requests.read(frame["bytes"]))
+def _framed(render, frame, data):
+    """The line that answers many rays, and the blocks behind it."""
+    at = 0
     for block in frame.pop("blocks"):
-        own, data = data[: 8 * math.prod(block["shape"])], data[8 * math.prod(block["shape"]) :]
-        kind = {"<f8": "d", "<i8": "q", "<u8": "Q"}[block["type"]]
-        if sys.byteorder == "big":
-            values = array.array(kind, bytes(own))
-            values.byteswap()
-            own = memoryview(values).cast("B")
-        frame[block["name"]] = own.cast(kind, block["shape"]) if len(own) else own.cast(kind)
+        size = 8 * math.prod(block["shape"])
+        frame[block["name"]] = _opened(block, data[at : at + size])
+        at += size
     answer = {"type": "frame", "id": frame["id"]}
     try:
-        result = render(frame)
-        named = {name: _block(name, values) for name, values in result.items() if name != "errors"}
+        result = dict(render(frame))
+        errors = result.pop("errors", [])
+        blocks = [_block(name, values) for name, values in result.items()]
     except Exception as error:
         traceback.print_exc()
         return {**answer, "error": f"{type(error).__name__}: {error}"}, []
-    if "errors" in result:
-        answer["errors"] = result["errors"]
-    answer["blocks"] = [{"name": name, "type": kind, "shape": shape} for name, (kind, shape, _) in named.items()]
-    answer["bytes"] = sum(len(block) for _, _, block in named.values())
-    return answer, [block for _, _, block in named.values()]
+    answer["bytes"] = sum(len(data) for _, data in blocks)
+    return {**answer, "errors": errors, "blocks": [block for block, _ in blocks]}, [data for _, data in blocks]
+
+
+def _opened(block, data):
+    """The numbers of a block, in its shape."""
+    letter = {"<f8": "d", "<i8": "q", "<u8": "Q"}[block["type"]]
+    if sys.byteorder == "big":
+        values = array.array(letter, bytes(data))
+        values.byteswap()
+        data = memoryview(values).cast("B")
+    return data.cast(letter, block["shape"])
 
 
 def _block(name, values):
-    """Its type, its shape and its bytes."""
-    kind = "q" if name == "segments" else "d"
+    """The block that holds them: what it is, and its bytes."""
+    letter = "q" if name == "segments" else "d"
     if isinstance(values, list):
-        rows = values if values and isinstance(values[0], list) else None
-        flat = array.array(kind, sum(rows, []) if rows else values)
-        shape = [len(values), len(rows[0])] if rows else [len(values)]
-        view = memoryview(flat)
+        rows = values if isinstance(values[0], (list, tuple)) else [[value] for value in values]
+        shape = [len(values), len(rows[0])] if rows is values else [len(values)]
+        data = array.array(letter, [value for row in rows for value in row])
     else:
         view = memoryview(values)
+        if view.itemsize != 8 or (view.format[-1] == "d") != (letter == "d"):
+            wanted = "int64" if letter == "q" else "float64"
+            raise TypeError(f"'{name}' of numbers '{view.format}' (allowed: '{letter}', NumPy's {wanted})")
         shape = list(view.shape)
-        if view.format.lstrip("@=<") not in (kind, "l" if kind == "q" else kind):
-            raise TypeError(f"'{name}' of numbers '{view.format}' (allowed: '{kind}', in NumPy .astype({'int' if kind == 'q' else 'float'}))")
-    block = view.tobytes()
+        data = array.array(letter, view.tobytes())
     if sys.byteorder == "big":
-        swapped = array.array(kind, block)
-        swapped.byteswap()
-        block = swapped.tobytes()
-    return ("<i8" if kind == "q" else "<f8"), shape, block
+        data.byteswap()
+    return {"name": name, "type": "<i8" if letter == "q" else "<f8", "shape": shape}, data.tobytes()
 
 
 def _result(render, task):

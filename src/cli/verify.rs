@@ -24,7 +24,8 @@ the rule that it computes has no deviation but those of --accept; 1 where not; 2
 it could not run. Opacity, optical and expected depth are tested where it answers them.
 
 Work: cases × levels × seeds, at most 64 levels of 524288 segments, and as many rays again
-for the rule; a program has --timeout for each answer. A bar on the terminal says how much is left.
+for the rule; with --batch 2 K + 32 rays of up to 64 segments; a program has --timeout for each
+answer. A bar on the terminal says how much is left.
 
 CASES are names that 'volver cases' lists, NAME/CHANNEL, tags, or paths of case files.
 LADDER is as for 'volver reproduce'. ORDER is 2, 1.5 or 3/2.
@@ -32,9 +33,9 @@ LADDER is as for 'volver reproduce'. ORDER is 2, 1.5 or 3/2.
 Examples:
   volver verify method:front-to-back/middle/expm1
   volver verify --cases sine-squared,thick method:trapezoid/trapezoid@f32
-  volver verify --batch 512 -- python3 examples/kernels/nerf.py
   volver verify --uneven --cases polynomial --json - method:tree/front/expm1
-  volver verify --extremes method:front-to-back/middle/subtraction@f32";
+  volver verify --extremes method:front-to-back/middle/subtraction@f32
+  volver new python mine && volver verify --cases sine-squared --batch 64 python3 mine/kernel.py";
 
 /// Put a renderer's kernel to the test
 #[derive(Args)]

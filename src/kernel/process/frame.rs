@@ -33,8 +33,8 @@ impl<N> WireBlock<N> {
     /// How many bytes it has; none where that is more than can be counted.
     fn size(&self) -> Option<usize> {
         let sizes = self.shape.iter().copied();
-        let numbers = sizes.map(|size| usize::try_from(size).ok());
-        numbers.fold(Some(NUMBER), |size, by| size?.checked_mul(by?))
+        let mut numbers = sizes.map(|size| usize::try_from(size).ok());
+        numbers.try_fold(NUMBER, |size, by| size.checked_mul(by?))
     }
 }
 

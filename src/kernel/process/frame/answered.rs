@@ -58,8 +58,8 @@ pub(in crate::kernel::process) fn head(
         let got = answer.bytes;
         wrong(format!("a frame of {got} bytes (allowed: up to {most})"))
     })?;
-    let sizes = answer.blocks.iter().map(WireBlock::size);
-    let all = sizes.fold(Some(0_usize), |sum, size| sum?.checked_add(size?));
+    let mut sizes = answer.blocks.iter().map(WireBlock::size);
+    let all = sizes.try_fold(0_usize, |sum, size| sum.checked_add(size?));
     if all != Some(bytes) {
         let all = all.map_or("too many".into(), |all| all.to_string());
         let problem = format!("blocks of {all} bytes in a frame of {bytes} (allowed: all of them)");

@@ -131,16 +131,18 @@ fn head<'a>(blocks: &mut Blocks, rays: &[(&Task<'a>, &Segments)]) -> io::Result<
         blocks.push(index.to_le_bytes());
     }
     blocks.begin(AskedBlock::Seed, BlockType::Natural, &[count]);
-    rays.iter()
-        .for_each(|(task, _)| blocks.push(task.seed.to_le_bytes()));
+    for (task, _) in rays {
+        blocks.push(task.seed.to_le_bytes());
+    }
     blocks.begin(AskedBlock::Length, BlockType::Real, &[count]);
     let format = Native::<f64>::new();
     for (task, _) in rays {
         blocks.push(format.ratio(task.subject.length()).to_le_bytes());
     }
     blocks.begin(AskedBlock::Step, BlockType::Real, &[count]);
-    rays.iter()
-        .for_each(|(task, _)| blocks.push(task.step.to_le_bytes()));
+    for (task, _) in rays {
+        blocks.push(task.step.to_le_bytes());
+    }
     Ok(cases)
 }
 

@@ -44,7 +44,7 @@ pub(in crate::kernel::process) struct WireFrame<'a> {
 pub(in crate::kernel::process) struct WireBlock<N> {
     /// Of what.
     pub(in crate::kernel::process) name: N,
-    /// Of what type, as NumPy calls it.
+    /// Of what type, as `NumPy` calls it.
     #[serde(rename = "type")]
     pub(in crate::kernel::process) kind: BlockType,
     /// How many there are along each axis.
