@@ -200,6 +200,14 @@ def answer(request, rays):
         if MODE == "cut":
             os._exit(0)
         time.sleep(1000)
+    elif MODE == "slow":
+        # What comes by itself is read by itself.
+        header, data = frame_of(request, own)
+        send(header)
+        for byte in data:
+            time.sleep(0.01)
+            answers.write(bytes([byte]))
+            answers.flush()
     elif MODE == "behind":
         send(*frame_of(request, own))
         answers.write(b"more")

@@ -336,6 +336,7 @@ fn what_stands_behind_a_frame_is_the_next_answers_trouble() {
 fn frames_stand_in_the_log_as_text() {
     for (mode, last) in [
         ("behaves", Some(r#"4 {"block":"radiance","values":["#)),
+        ("slow", Some(r#"4 {"block":"radiance","values":["#)),
         ("cut", None),
     ] {
         let fixture = Fixture::new();
