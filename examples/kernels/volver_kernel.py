@@ -11,7 +11,8 @@ Arrays are array.array("d"), which numpy.asarray takes without a copy; with "arr
 With "batch": N in the declaration, render(frame) is given up to N rays at once: a dictionary of "rays", "channels",
 "cases" and the blocks of the protocol ("offsets", "edges_extinction" …) as memoryviews of their shape, which
 numpy.asarray takes without a copy. It returns a dictionary of "radiance", of shape (rays, channels), and what else is
-declared, of shape (rays,): arrays of binary64, of NumPy or of array.array, or lists.
+declared, of shape (rays,): arrays of binary64, of NumPy or of array.array, or lists. Gradients are asked ray by ray all
+the same: where it is given a task, it has "cotangents".
 """
 
 import array

@@ -121,6 +121,36 @@ volver_kernel.serve({'name': 'mine', 'form': 'segments', 'batch': 9}, render)
 }
 
 #[test]
+fn gradients_of_a_kernel_that_takes_frames_go_as_text() {
+    let directory = tempfile::tempdir().unwrap();
+    let script = directory.path().join("kernel.py");
+    let code = "
+import sys
+sys.path.insert(0, sys.argv[1])
+import volver_kernel
+def render(asked):
+    if 'rays' in asked:
+        return {'radiance': [[1.0]] * asked['rays']}
+    [a], n = asked['cotangents'], asked['segments']
+    return {'radiance': [2.0], 'gradient': {'extinction': [a] * n, 'emission': [[-a] * n]}}
+volver_kernel.serve({'name': 'mine', 'form': 'segments', 'batch': 9, 'gradient': 'middles'}, render)
+";
+    fs::write(&script, code).unwrap();
+    let examples = in_repository("examples/kernels");
+    let mut kernel = python(script.to_str().unwrap(), &[&examples]);
+    let subject = subject("homogeneous");
+    let cut = segments(&subject, 3);
+    let task = task(&subject, &cut);
+    for _ in 0..2 {
+        assert_eq!(kernel.render(&task).unwrap().radiance, [1.0]);
+        let (rendering, gradient) = kernel.gradient(&task, &[5.0]).unwrap();
+        assert_eq!(rendering.radiance, [2.0]);
+        assert_eq!(gradient.extinction, [5.0; 3]);
+        assert_eq!(gradient.emission, [[-5.0; 3]]);
+    }
+}
+
+#[test]
 fn batched_is_compositing_as_it_declares() {
     let numpy = Command::new("python3")
         .args(["-c", "import numpy"])
