@@ -7,6 +7,12 @@ render(task) is given a task of the protocol as a dictionary, and returns the ra
 dictionary with "radiance" and what else a result may hold; with "answers" in the declaration what these name. What it
 raises becomes the task's error. It may print.
 Arrays are array.array("d"), which numpy.asarray takes without a copy; with "arrays": "json" they are lists.
+
+With "batch": N in the declaration, render(frame) is given up to N rays at once: a dictionary of "rays", "channels",
+"cases" and the blocks of the protocol ("offsets", "edges_extinction" …) as memoryviews of their shape, which
+numpy.asarray takes without a copy. It returns a dictionary of "radiance", of shape (rays, channels), and what else is
+declared, of shape (rays,): arrays of binary64, of NumPy or of array.array, or lists. Gradients are asked ray by ray all
+the same: where it is given a task, it has "cotangents".
 """
 
 import array
@@ -24,20 +30,74 @@ def serve(declaration, render):
     requests = os.fdopen(int(os.environ["VOLVER_REQUESTS"]), "rb")
     answers = os.fdopen(int(os.environ["VOLVER_ANSWERS"]), "wb")
 
-    def answer(message):
+    def answer(message, blocks=()):
         answers.write(json.dumps(message).encode() + b"\n")
+        answers.writelines(blocks)
         answers.flush()
 
     requests.readline()  # volver's greeting, which has nothing that a kernel needs
     # From some hundred numbers on files are much faster than text.
-    protocol = 2 if "answers" in declaration or "gradient" in declaration else 1
+    protocol = 2 if declaration.keys() & {"answers", "gradient", "batch", "background"} else 1
     answer({"type": "hello", "protocol": protocol, "arrays": "npy", **declaration})
     for line in requests:
+        if line.startswith(b'{"type":"frame"'):
+            frame = json.loads(line)
+            header, blocks = _framed(render, frame, memoryview(requests.read(frame["bytes"])))
+            answer(header, blocks)
+            continue
         request = json.loads(line, object_hook=_loaded)
         if b'nan"' in line or b'inf"' in line:
             request = _floats(request)
         results = [_result(render, task) for task in request["tasks"]]
         answer({"type": "answer" if protocol == 2 else "radiance", "id": request["id"], "results": results})
+
+
+def _framed(render, frame, data):
+    """The line that answers many rays, and the blocks behind it."""
+    at = 0
+    for block in frame.pop("blocks"):
+        size = 8 * math.prod(block["shape"])
+        frame[block["name"]] = _opened(block, data[at : at + size])
+        at += size
+    answer = {"type": "frame", "id": frame["id"]}
+    try:
+        result = dict(render(frame))
+        errors = result.pop("errors", [])
+        blocks = [_block(name, values) for name, values in result.items()]
+    except Exception as error:
+        traceback.print_exc()
+        return {**answer, "error": f"{type(error).__name__}: {error}"}, []
+    answer["bytes"] = sum(len(data) for _, data in blocks)
+    return {**answer, "errors": errors, "blocks": [block for block, _ in blocks]}, [data for _, data in blocks]
+
+
+def _opened(block, data):
+    """The numbers of a block, in its shape."""
+    letter = {"<f8": "d", "<i8": "q", "<u8": "Q"}[block["type"]]
+    if sys.byteorder == "big":
+        values = array.array(letter, bytes(data))
+        values.byteswap()
+        data = memoryview(values).cast("B")
+    return data.cast(letter, block["shape"])
+
+
+def _block(name, values):
+    """The block that holds them: what it is, and its bytes."""
+    letter = "q" if name == "segments" else "d"
+    if isinstance(values, list):
+        rows = values if isinstance(values[0], (list, tuple)) else [[value] for value in values]
+        shape = [len(values), len(rows[0])] if rows is values else [len(values)]
+        data = array.array(letter, [value for row in rows for value in row])
+    else:
+        view = memoryview(values)
+        if view.itemsize != 8 or (view.format[-1] == "d") != (letter == "d"):
+            wanted = "int64" if letter == "q" else "float64"
+            raise TypeError(f"'{name}' of numbers '{view.format}' (allowed: '{letter}', NumPy's {wanted})")
+        shape = list(view.shape)
+        data = array.array(letter, view.tobytes())
+    if sys.byteorder == "big":
+        data.byteswap()
+    return {"name": name, "type": "<i8" if letter == "q" else "<f8", "shape": shape}, data.tobytes()
 
 
 def _result(render, task):

@@ -65,10 +65,9 @@ impl KernelArguments {
             self.no_program("a method")?;
             return built_in(method).map(Some);
         }
-        let path = Path::new(self.kernel());
-        let extension = path.extension().and_then(|extension| extension.to_str());
-        if extension.is_some_and(|extension| LIBRARIES.contains(&extension)) {
+        if self.is_library() {
             self.no_program("a library")?;
+            let path = Path::new(self.kernel());
             let library = LibraryKernel::open(path).map_err(|error| self.failed(error))?;
             return Ok(Some(Box::new(library)));
         }
@@ -127,12 +126,28 @@ impl KernelArguments {
         Ok(Box::new(started.map_err(|error| self.failed(error))?))
     }
 
+    fn is_library(&self) -> bool {
+        let extension = Path::new(self.kernel()).extension();
+        let extension = extension.and_then(|extension| extension.to_str());
+        extension.is_some_and(|extension| LIBRARIES.contains(&extension))
+    }
+
+    /// Refuses an option with what is no program, and says why.
+    pub(super) fn only_program(&self, option: &str, why: &str) -> Result<(), Failure> {
+        let what = match self.kernel().strip_prefix("method:") {
+            Some(_) => "a method",
+            None if self.is_library() => "a library",
+            None => return Ok(()),
+        };
+        Err(Failure::Usage(format!(
+            "'{option}' with {what}, {why} (allowed: with a program)"
+        )))
+    }
+
     /// Refuses what only programs take.
     fn no_program(&self, what: &str) -> Result<(), Failure> {
         if self.log.is_some() {
-            return Err(Failure::Usage(format!(
-                "'--log' with {what}, which is not talked to (allowed: with a program)"
-            )));
+            self.only_program("--log", "which is not talked to")?;
         }
         match self.arguments().first() {
             None => Ok(()),

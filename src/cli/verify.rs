@@ -25,7 +25,8 @@ the rule that it computes has no deviation but those of --accept; 1 where not; 2
 it could not run. Opacity, optical and expected depth are tested where it answers them.
 
 Work: cases × levels × seeds, at most 64 levels of 524288 segments, and as many rays again
-for the rule; a program has --timeout for each answer. A bar on the terminal says how much is left.
+for the rule; with --batch 2 K + 32 rays of up to 64 segments; a program has --timeout for each
+answer. A bar on the terminal says how much is left.
 
 CASES are names that 'volver cases' lists, NAME/CHANNEL, tags, or paths of case files.
 LADDER is as for 'volver reproduce'. ORDER is 2, 1.5 or 3/2.
@@ -33,9 +34,10 @@ LADDER is as for 'volver reproduce'. ORDER is 2, 1.5 or 3/2.
 Examples:
   volver verify method:front-to-back/middle/expm1
   volver verify --cases sine-squared,thick method:trapezoid/trapezoid@f32
-  volver verify --spacing log --cases sine-squared python3 my_kernel.py
   volver verify --uneven --cases polynomial --json - method:tree/front/expm1
-  volver verify --extremes method:front-to-back/middle/subtraction@f32";
+  volver verify --extremes method:front-to-back/middle/subtraction@f32
+  volver new python ray && volver verify --spacing log --cases sine-squared python3 ray/kernel.py
+  volver new python mine && volver verify --cases sine-squared --batch 64 python3 mine/kernel.py";
 
 /// Put a renderer's kernel to the test
 #[derive(Args)]
@@ -74,14 +76,18 @@ pub(crate) struct Verify {
     /// as many as 'volver identify'
     #[arg(long, value_enum, default_value = "auto", value_name = "HOW")]
     identify: Identification,
+    /// Ask a program K rays of different length, step and n in one request: each has to have
+    /// the answer that it has alone
+    #[arg(long, value_name = "K", value_parser = batch, allow_negative_numbers = true)]
+    batch: Option<usize>,
     /// Let a known deviation pass as long as it is that, repeatable: early-end=0.0039
     #[arg(long, value_name = "NAME[=VALUE]", value_parser = Accepted::from_str)]
     accept: Vec<Accepted>,
     /// In place of orders, digits where numbers end: thin and thick rays, vacuum, tau below 0,
     /// one segment
     #[arg(long, conflicts_with_all = [
-        "cases", "ladder", "axis", "divide", "uneven", "spacing", "expect", "replicas", "identify", "accept",
-        "junit", "save",
+        "cases", "ladder", "axis", "divide", "uneven", "spacing", "expect", "replicas", "identify",
+        "accept", "batch", "junit", "save",
     ])]
     extremes: bool,
     /// Write one JSON document; - is standard output, without the table
@@ -122,6 +128,10 @@ enum Identification {
 
 fn replicas(text: &str) -> Result<usize, SettingsError> {
     Settings::replicas(text.parse().unwrap_or(0))
+}
+
+fn batch(text: &str) -> Result<usize, SettingsError> {
+    Settings::batch(text.parse().unwrap_or(0))
 }
 
 /// A ladder as settings, or why not.
@@ -165,6 +175,11 @@ impl Verify {
             Identification::Off => Identify::Off,
         };
         settings.accept.clone_from(&self.accept);
+        settings.batch = self.batch;
+        if self.batch.is_some() {
+            self.kernel
+                .only_program("--batch", "which has no requests")?;
+        }
         let at_once = self.kernel.at_once()?;
         let subjects = subjects(&self.cases, "--cases")?;
         output.check()?;

@@ -203,19 +203,9 @@ impl Deviation {
 /// What of a kernel's answers depends on more than the question, and where there are none.
 #[must_use]
 pub fn misbehaviour(found: &Identification) -> Vec<Deviation> {
-    let plain = |name, probe, does: &str| Deviation {
-        name,
-        value: None,
-        bracket: None,
-        exact: false,
-        probe,
-        validated: Vec::new(),
-        does: does.into(),
-        instead_of: None,
-    };
     let mut all = Vec::new();
     if let Some(state) = &found.state {
-        all.extend(of_state(state, plain));
+        all.extend(of_state(state));
     }
     // What was seen of its state before is why.
     if found.hold_out.drifts && all.is_empty() {
@@ -237,29 +227,27 @@ pub fn misbehaviour(found: &Identification) -> Vec<Deviation> {
     all
 }
 
-fn of_state(
-    state: &State,
-    plain: impl Fn(&'static str, &'static str, &str) -> Deviation,
-) -> impl Iterator<Item = Deviation> {
-    let repeat = match state.repeat {
-        Repeat::Same => None,
-        Repeat::FirstDiffers => Some(plain(
-            "first-answer",
-            TWICE,
-            "the first answer of all is another one",
-        )),
-        Repeat::Previous => Some(plain(
-            "previous-answer",
-            TWICE,
-            "an answer is that to the question before",
-        )),
-        Repeat::Differs(part) => Some(Deviation {
-            value: Some(part),
-            ..plain("noise", TWICE, "answers to the same question differ")
-        }),
-        Repeat::Drifts => Some(plain(DRIFT, TWICE, DRIFTS)),
-    };
-    let batch = match state.batch {
+fn plain(name: &'static str, probe: &'static str, does: &str) -> Deviation {
+    Deviation {
+        name,
+        value: None,
+        bracket: None,
+        exact: false,
+        probe,
+        validated: Vec::new(),
+        does: does.into(),
+        instead_of: None,
+    }
+}
+
+/// What is asked again has another answer.
+pub(super) fn drifts() -> Deviation {
+    plain(DRIFT, TWICE, DRIFTS)
+}
+
+/// What an answer depends on beside its own ray; nothing where it does not.
+pub(super) fn of_batch(batch: Batch) -> Option<Deviation> {
+    match batch {
         Batch::Same => None,
         Batch::Carried => Some(plain(
             "carried-transmittance",
@@ -281,7 +269,29 @@ fn of_state(
             TOGETHER,
             "an answer depends on the other rays of its request",
         )),
+    }
+}
+
+fn of_state(state: &State) -> impl Iterator<Item = Deviation> {
+    let repeat = match state.repeat {
+        Repeat::Same => None,
+        Repeat::FirstDiffers => Some(plain(
+            "first-answer",
+            TWICE,
+            "the first answer of all is another one",
+        )),
+        Repeat::Previous => Some(plain(
+            "previous-answer",
+            TWICE,
+            "an answer is that to the question before",
+        )),
+        Repeat::Differs(part) => Some(Deviation {
+            value: Some(part),
+            ..plain("noise", TWICE, "answers to the same question differ")
+        }),
+        Repeat::Drifts => Some(drifts()),
     };
+    let batch = of_batch(state.batch);
     let by_name = |does| plain("answers-by-name", "other data under the same name", does);
     let name = match state.name {
         Name::Nothing => None,

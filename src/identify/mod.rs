@@ -39,6 +39,7 @@ mod session;
 mod stages;
 mod state;
 mod stated;
+mod together;
 mod volume;
 mod weights;
 mod witness;
@@ -62,6 +63,7 @@ pub use seen::Seen;
 pub use session::{Budget, Silence, Spent};
 pub use state::{Batch, Name, Repeat, State};
 pub use stated::stated;
+pub use together::{Apart, TOGETHER, Together, together};
 pub use volume::{Lookup, Optics};
 pub use witness::{TaskError, Witness, witness};
 

@@ -184,6 +184,28 @@ impl<'k> Session<'k> {
         self.put(&posed)
     }
 
+    /// All that is answered to one ray, or why nothing is.
+    pub(super) fn alone(&mut self, ray: &Ray) -> Result<Result<Rendering, KernelError>, Silence> {
+        self.count(ray.segments.count())?;
+        let posed = self.pose.of(ray)?;
+        Ok(self.kernel.render(&posed.task()))
+    }
+
+    /// The same of rays in a single request, none of which is asked again; or why none has an answer.
+    pub(super) fn at_once(
+        &mut self,
+        rays: &[Ray],
+    ) -> Result<Result<Vec<Result<Rendering, KernelError>>, KernelError>, Silence> {
+        let mut posed = Vec::with_capacity(rays.len());
+        for ray in rays {
+            self.count(ray.segments.count())?;
+            posed.push(self.pose.of(ray)?);
+        }
+        let tasks: Vec<Task<'_>> = posed.iter().map(Posed::task).collect();
+        self.kernel.renew();
+        Ok(self.kernel.render_together(&tasks))
+    }
+
     fn put(&mut self, posed: &Posed<'_>) -> Result<Answer, Silence> {
         let task = posed.task();
         self.count(usize::try_from(task.segments).unwrap_or(usize::MAX))?;

@@ -157,7 +157,7 @@ pub(super) fn state(session: &mut Session<'_>) -> Result<(State, f64), NotIdenti
         && state.name == Name::Nothing
         && state.repeat == Repeat::Same
     {
-        state.batch = batch(session, &a, &b, [&y[0], &y[1]])?;
+        state.batch = shared(session, &a, &b, [&y[0], &y[1]])?;
     }
     Ok((state, noise))
 }
@@ -171,8 +171,8 @@ pub(super) fn is_same(one: &[f64], other: &[f64]) -> bool {
             .all(|(u, v)| u.to_bits() == v.to_bits())
 }
 
-/// A and B in one request.
-fn batch(
+/// What comes of A and B in one request.
+pub(super) fn shared(
     session: &mut Session<'_>,
     a: &Ray,
     b: &Ray,
@@ -185,29 +185,42 @@ fn batch(
     if pairs().all(|((y, _), want)| is_same(y, want)) {
         return Ok(Batch::Same);
     }
-    let through = |i: usize| answers[i].1.map_or(f64::NAN, |opacity| 1.0 - opacity);
-    let starts = [1.0, through(0)];
-    let carried = pairs().zip(starts).all(|(((y, _), want), start)| {
-        let both = y.iter().zip(want);
-        both.into_iter()
-            .all(|(y, want)| (y - want * start).abs() <= 1e-9 * want.abs())
-    });
-    if carried {
-        return Ok(Batch::Carried);
-    }
-    // The second one alone, with the step of the first.
-    let stepped = Ray {
-        step: a.step,
-        ..b.clone()
-    };
     let near = |got: &[f64], want: &[f64]| {
         let both = got.iter().zip(want);
         both.into_iter()
             .all(|(y, want)| (y - want).abs() <= 1e-9 * want.abs())
     };
+    // So little is rounding in another order, which every cause below would pass for.
+    if pairs().all(|((y, _), want)| near(y, want)) {
+        return Ok(Batch::Differs);
+    }
     let is_first = is_same(&answers[0].0, alone[0]);
-    if is_first && near(&answers[1].0, &session.once(&stepped)?.0) {
-        return Ok(Batch::FirstStep);
+    let start = match answers[0].1 {
+        Some(opacity) => Some(1.0 - opacity),
+        None if is_first => seen_through(session, a, b, alone[1], &answers[1].0)?,
+        None => None,
+    };
+    let starts = [Some(1.0), start];
+    let carried = pairs().zip(starts).all(|(((y, _), want), start)| {
+        start.is_some_and(|start| {
+            let want: Vec<f64> = want.iter().map(|want| want * start).collect();
+            near(y, &want)
+        })
+    });
+    if carried {
+        return Ok(Batch::Carried);
+    }
+    // The second one alone with the step of the first, in its place or by where its segments end.
+    if is_first {
+        let stepped = Ray {
+            step: a.step,
+            ..b.clone()
+        };
+        for stepped in [stretched(b, a.step / b.step), stepped] {
+            if near(&answers[1].0, &session.once(&stepped)?.0) {
+                return Ok(Batch::FirstStep);
+            }
+        }
     }
     // Only the shorter one is wrong, wherever it stands.
     let turned = session.together(&[b.clone(), a.clone()]);
@@ -222,4 +235,51 @@ fn batch(
     } else {
         Batch::Differs
     })
+}
+
+/// The part of B's answers that is left of them behind A, where that is a transmittance: the same in all channels, and
+/// squared where A is twice as dense.
+fn seen_through(
+    session: &mut Session<'_>,
+    a: &Ray,
+    b: &Ray,
+    alone: &[f64],
+    behind: &[f64],
+) -> Result<Option<f64>, NotIdentified> {
+    let left = |answers: &[f64]| {
+        let parts = answers.iter().zip(alone).map(|(y, want)| y / want);
+        let (low, high) = parts.fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), part| {
+            (low.min(part), high.max(part))
+        });
+        let is_one = low > 0.0 && high < 1.0 && high - low <= 1e-9 * high;
+        is_one.then_some(high)
+    };
+    let Some(once) = left(behind) else {
+        return Ok(None);
+    };
+    let mut dense = a.clone();
+    for samples in [&mut dense.segments.edges, &mut dense.segments.middles] {
+        samples.extinction.iter_mut().for_each(|tau| *tau *= 2.0);
+    }
+    let answers: Result<Vec<_>, _> = session.together(&[dense, b.clone()]).into_iter().collect();
+    let twice = answers?.get(1).and_then(|(y, _)| left(y));
+    Ok(twice
+        .filter(|twice| (twice - once * once).abs() <= 1e-6 * twice)
+        .map(|_| once))
+}
+
+/// The same values along a ray of another length.
+fn stretched(ray: &Ray, by: f64) -> Ray {
+    let mut stretched = ray.clone();
+    for samples in [
+        &mut stretched.segments.edges,
+        &mut stretched.segments.middles,
+    ] {
+        samples.lambda.iter_mut().for_each(|lambda| *lambda *= by);
+    }
+    let end = stretched.segments.edges.lambda.last().copied();
+    let length = end.and_then(rug::Rational::from_f64);
+    stretched.length = length.unwrap_or_else(|| ray.length.clone());
+    stretched.step = ray.step * by;
+    stretched
 }

@@ -5,7 +5,7 @@ use super::{DepthWeights, FormKind, Quantity};
 use crate::method::{Expected, Method, Position};
 use crate::real::FormatName;
 use std::fmt;
-use std::num::NonZeroU64;
+use std::num::{NonZeroU64, NonZeroUsize};
 use std::str::FromStr;
 
 /// What a kernel claims to compute, and in what it answers. What it leaves out is found out, or taken from the
@@ -20,6 +20,8 @@ pub struct Declaration {
     pub form: FormKind,
     /// By which values it differentiates, where it does.
     pub gradient: Option<GradientAt>,
+    /// How many rays it takes in one request as arrays, where it is a process that does.
+    pub batch: Option<NonZeroUsize>,
     /// The method of this crate that it means to be, if there is one: then the order expected on every case
     /// follows from theory, and the values themselves are compared.
     pub method: Option<Method>,
@@ -58,6 +60,7 @@ impl Declaration {
             name: name.into(),
             form: FormKind::Segments,
             gradient: None,
+            batch: None,
             method: None,
             order: None,
             format: FormatName::F64,

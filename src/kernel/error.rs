@@ -107,6 +107,24 @@ pub enum KernelError {
         /// Whether it is there.
         given: bool,
     },
+    /// An array of another type or shape than it has to have.
+    #[error("a block '{name}' of {got} (allowed: {wanted})")]
+    Block {
+        /// Of what.
+        name: &'static str,
+        /// Its type and shape.
+        got: String,
+        /// Those that it has to have.
+        wanted: String,
+    },
+    /// More rays than go into one request.
+    #[error("{rays} rays in one request (allowed: up to {most}, as the kernel declares)")]
+    Together {
+        /// How many.
+        rays: usize,
+        /// How many it takes.
+        most: usize,
+    },
     /// It does not differentiate.
     #[error(
         "no gradient is declared (allowed: \"gradient\": \"middles\" or \"edges\" in the greeting)"

@@ -64,6 +64,18 @@ pub trait Kernel: Debug + Send {
         tasks.iter().map(|task| self.render(task)).collect()
     }
 
+    /// The same in a single request, where there are requests: whatever goes wrong with it, no ray is asked again by
+    /// itself.
+    ///
+    /// # Errors
+    /// [`KernelError`] where no ray has an answer, [`KernelError::Together`] where they are too many.
+    fn render_together(
+        &mut self,
+        tasks: &[Task<'_>],
+    ) -> Result<Vec<Result<Rendering, KernelError>>, KernelError> {
+        Ok(self.render_all(tasks))
+    }
+
     /// The same with the gradient of Σₖ aₖ Iₖ by the numbers of the task, aₖ being the cotangents, one a channel.
     ///
     /// # Errors

@@ -2,6 +2,7 @@
 
 mod clients;
 mod fixture;
+mod frames;
 mod log;
 mod messages;
 mod stop;

@@ -2,6 +2,7 @@
 
 mod ask;
 mod baseline;
+mod batch;
 mod help;
 mod kernels;
 mod new;

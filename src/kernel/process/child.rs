@@ -115,6 +115,15 @@ impl Child {
         self.pipes.exchange(message, deadline)
     }
 
+    pub(super) fn exchange_frame<H>(
+        &mut self,
+        message: &[u8],
+        deadline: Option<Instant>,
+        read: impl FnOnce(&[u8]) -> Result<(H, usize), Trouble>,
+    ) -> Result<(H, Vec<u8>), Trouble> {
+        self.pipes.exchange_frame(message, deadline, read)
+    }
+
     /// Ends it for its trouble, which was met while `what` was waited for, and says what befell it.
     pub(super) fn fail(
         mut self,
@@ -128,6 +137,11 @@ impl Child {
         match trouble {
             Trouble::TimedOut => KernelError::TimedOut {
                 what,
+                after,
+                stderr,
+            },
+            Trouble::HalfFrame => KernelError::TimedOut {
+                what: "whole frame",
                 after,
                 stderr,
             },

@@ -1,5 +1,6 @@
 //! What a kernel says of itself, and how it wants to be talked to.
 
+use super::frame;
 use super::message::{
     Arrays, Form, HelloTag, KernelHello, VolverHello, WireLanguage, WireQuantity, WireStep,
 };
@@ -12,7 +13,7 @@ use crate::real::FormatName;
 use crate::symbolic::code::Language;
 use serde_json::Value;
 use std::fmt::Display;
-use std::num::NonZeroU64;
+use std::num::{NonZeroU64, NonZeroUsize};
 use std::str::FromStr;
 
 /// The longest name, in characters.
@@ -72,6 +73,9 @@ fn greeting(version: u64, hello: KernelHello) -> Result<Greeting, String> {
     if hello.gradient.is_some() && version < SECOND {
         return Err(of_second("gradient", version));
     }
+    if hello.batch.is_some() && version < SECOND {
+        return Err(of_second("batch", version));
+    }
     let answers = answers(version, hello.answers)?;
     let expected_depth = match hello.expected_depth {
         None => DepthWeights::default(),
@@ -107,19 +111,21 @@ fn greeting(version: u64, hello: KernelHello) -> Result<Greeting, String> {
     if hello.gradient.is_some() && form != FormKind::Segments {
         return Err("gradient of another form (allowed: with the form segments)".into());
     }
+    let format = match hello.format {
+        Some(name) => named("format", &name)?,
+        None => FormatName::F64,
+    };
     let declaration = Declaration {
         name,
         form,
+        batch: batch(hello.batch, form, format)?,
         gradient: hello.gradient.map(Into::into),
         method: hello
             .method
             .map(|name| named("method", &name))
             .transpose()?,
         order: above_zero("order", hello.order)?,
-        format: match hello.format {
-            Some(name) => named("format", &name)?,
-            None => FormatName::F64,
-        },
+        format,
         quantum: above_zero("quantum", hello.quantum)?,
         stochastic: hello.stochastic,
         sampling: hello.sampling.map(Into::into),
@@ -145,6 +151,32 @@ fn greeting(version: u64, hello: KernelHello) -> Result<Greeting, String> {
 /// A key that the first version has not.
 fn of_second(key: &str, version: u64) -> String {
     format!("{key} in protocol {version} (allowed: in protocol {SECOND})")
+}
+
+/// How many rays at once it takes.
+fn batch(
+    declared: Option<u64>,
+    form: FormKind,
+    format: FormatName,
+) -> Result<Option<NonZeroUsize>, String> {
+    let Some(count) = declared else {
+        return Ok(None);
+    };
+    if form != FormKind::Segments {
+        return Err("batch of another form (allowed: with the form segments)".into());
+    }
+    if format.bits() > f64::MANTISSA_DIGITS {
+        return Err(format!(
+            "batch of the format {format}, whose numbers have no room in binary64 (allowed: formats of up to {} bits)",
+            f64::MANTISSA_DIGITS
+        ));
+    }
+    let known = Some(count).filter(|count| frame::RAYS.contains(count));
+    let known = known.and_then(|count| NonZeroUsize::new(usize::try_from(count).ok()?));
+    known.map(Some).ok_or_else(|| {
+        let (least, most) = (frame::RAYS.start(), frame::RAYS.end());
+        format!("batch {count} (allowed: {least} to {most})")
+    })
 }
 
 /// What it answers, in volver's order.
@@ -201,6 +233,7 @@ impl Greeting {
             ("far_wall", a.far_wall == b.far_wall),
             ("background", a.background == b.background),
             ("gradient", a.gradient == b.gradient),
+            ("batch", a.batch == b.batch),
             ("answers", a.answers == b.answers),
             ("expected_depth", a.expected_depth == b.expected_depth),
             ("numbers", self.numbers == other.numbers),

@@ -98,6 +98,9 @@ pub(super) struct KernelHello {
     pub(super) expected_depth: Option<WireDepthWeights>,
     /// It answers gradients too, by the values there; of segments alone. Of version 2.
     pub(super) gradient: Option<WireGradientAt>,
+    /// So many rays at once it takes, as frames and not as text; of segments alone. Of version 2.
+    #[cfg_attr(feature = "studies", schemars(range(min = 1, max = 1_000_000)))]
+    pub(super) batch: Option<u64>,
     /// How volver is to write numbers.
     #[serde(default)]
     pub(super) numbers: Numbers,

@@ -1,4 +1,4 @@
-//! Kernels in processes of their own, by JSON lines over pipes.
+//! Kernels in processes of their own, by JSON lines over pipes, and by arrays behind these for those that take them.
 //!
 //! `docs/protocol.md` is what a kernel has to do. A child reads requests from descriptor 3 and writes answers to
 //! descriptor 4; what it prints does no harm. It is waited for no longer than [`Options`] say. A child that fails
@@ -10,6 +10,7 @@ pub(crate) mod bare;
 mod child;
 mod ending;
 mod files;
+mod frame;
 pub(crate) mod greeting;
 mod log;
 mod message;
@@ -36,6 +37,7 @@ pub use written::Numbers;
 use super::{Declaration, Gradient, Kernel, KernelError, Rendering, Task};
 use child::Child;
 use files::Files;
+use frame::Frame;
 use greeting::Greeting;
 use log::Stream;
 use message::Arrays;
@@ -52,6 +54,9 @@ const VERSIONS: [u64; 2] = [VERSION, SECOND];
 
 /// The version that has other answers than the radiance.
 const SECOND: u64 = 2;
+
+/// One result a task.
+type Results = Vec<Result<Rendering, KernelError>>;
 
 /// A program that talks the protocol.
 #[derive(Debug)]
@@ -111,14 +116,29 @@ impl ProcessKernel {
 
     /// The results of tasks in the form declared. One of several tasks may be the other ones' trouble: if no
     /// answer comes to all at once, they are asked one by one.
-    fn results(&mut self, tasks: &[&Task<'_>]) -> Vec<Result<Rendering, KernelError>> {
-        match self.request(tasks, None) {
-            Ok(results) => results,
-            Err(error) if tasks.len() == 1 => vec![Err(error)],
-            Err(_) => {
-                let singly = tasks.iter();
-                singly.flat_map(|task| self.results(&[task])).collect()
+    fn results(&mut self, tasks: &[&Task<'_>]) -> Results {
+        let mut results = Vec::with_capacity(tasks.len());
+        let mut rest = tasks;
+        while !rest.is_empty() {
+            let (now, later) = rest.split_at(self.at_once(rest));
+            rest = later;
+            match self.request(now, None) {
+                Ok(answered) => results.extend(answered),
+                Err(error) if now.len() == 1 => results.push(Err(error)),
+                Err(_) => {
+                    let singly = now.iter();
+                    results.extend(singly.flat_map(|task| self.results(&[task])));
+                }
             }
+        }
+        results
+    }
+
+    /// How many of the tasks, from the first on, go into one request.
+    fn at_once(&self, tasks: &[&Task<'_>]) -> usize {
+        match self.greeting.declaration.batch {
+            None => tasks.len(),
+            Some(most) => frame::fits(tasks, most.get()),
         }
     }
 
@@ -127,7 +147,7 @@ impl ProcessKernel {
         &mut self,
         tasks: &[&Task<'_>],
         cotangents: Option<&[f64]>,
-    ) -> Result<Vec<Result<Rendering, KernelError>>, KernelError> {
+    ) -> Result<Results, KernelError> {
         if let Some(last) = &self.last_failure
             && self.failures >= self.options.max_failures.max(1)
         {
@@ -136,12 +156,17 @@ impl ProcessKernel {
                 last: Box::new(last.clone()),
             });
         }
-        let results = self.ask(tasks, cotangents);
+        let results = match self.greeting.declaration.batch {
+            // Gradients go as text.
+            Some(_) if cotangents.is_none() => self.ask_frame(tasks),
+            _ => self.ask(tasks, cotangents),
+        };
         if let Some(files) = &mut self.files {
             files.clear();
         }
         match &results {
-            Ok(_) => self.failures = 0,
+            // What says that it refuses has not failed.
+            Ok(_) | Err(KernelError::Refused { .. }) => self.failures = 0,
             Err(error) => {
                 self.failures += 1;
                 self.last_failure = Some(error.clone());
@@ -154,7 +179,7 @@ impl ProcessKernel {
         &mut self,
         tasks: &[&Task<'_>],
         cotangents: Option<&[f64]>,
-    ) -> Result<Vec<Result<Rendering, KernelError>>, KernelError> {
+    ) -> Result<Results, KernelError> {
         self.last_id += 1;
         let mut writer = Writer {
             numbers: self.greeting.numbers,
@@ -187,6 +212,49 @@ impl ProcessKernel {
                 Ok(results)
             }
             Err(trouble) => Err(child.fail(trouble, "answer", timeout)),
+        }
+    }
+
+    /// Asks in a frame, whose answer is one.
+    fn ask_frame(&mut self, tasks: &[&Task<'_>]) -> Result<Results, KernelError> {
+        self.last_id += 1;
+        let id = self.last_id;
+        let log = self.options.log.clone();
+        let background = self.greeting.declaration.background;
+        let frame = frame::write(id, tasks, background, log.is_some());
+        let Frame {
+            line: mut message,
+            bytes,
+            text,
+        } = frame.map_err(|error| KernelError::message(&error))?;
+        let mut child = match self.child.take() {
+            Some(child) => child,
+            None => self.start_anew()?,
+        };
+        if let Some(log) = &log {
+            log.tell(Stream::Requests, &message)?;
+            log.tell(Stream::Requests, &text)?;
+        }
+        message.extend_from_slice(&bytes);
+        let timeout = self.options.timeout;
+        let deadline = Instant::now().checked_add(timeout);
+        let read = |line: &[u8]| {
+            let head = frame::head(line, id, tasks)?;
+            let bytes = head.bytes;
+            Ok((head, bytes))
+        };
+        match child.exchange_frame(&message, deadline, read) {
+            Err(trouble) => Err(child.fail(trouble, "answer", timeout)),
+            Ok((head, bytes)) => {
+                self.child = Some(child);
+                if let Some(log) = &log {
+                    let text = head.text(&bytes).map_err(io::Error::from);
+                    let text = text.map_err(|error| KernelError::message(&error))?;
+                    log.tell(Stream::Answers, &text)?;
+                }
+                let results = frame::read(&head, &bytes, tasks, &self.greeting);
+                results.map_err(|reason| KernelError::Refused { reason })
+            }
         }
     }
 
@@ -268,6 +336,20 @@ impl Kernel for ProcessKernel {
         results
             .pop()
             .unwrap_or(Err(KernelError::Channels { got: 0, wanted: 1 }))
+    }
+
+    fn render_together(&mut self, tasks: &[Task<'_>]) -> Result<Results, KernelError> {
+        let wanted = self.greeting.declaration.form;
+        let other = tasks.iter().map(|task| task.data.kind());
+        if let Some(given) = other.into_iter().find(|given| *given != wanted) {
+            return Err(KernelError::Form { given, wanted });
+        }
+        let tasks: Vec<&Task<'_>> = tasks.iter().collect();
+        let (rays, most) = (tasks.len(), self.at_once(&tasks));
+        if most < rays {
+            return Err(KernelError::Together { rays, most });
+        }
+        self.request(&tasks, None)
     }
 
     fn render_all(&mut self, tasks: &[Task<'_>]) -> Vec<Result<Rendering, KernelError>> {

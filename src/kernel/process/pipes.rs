@@ -24,7 +24,25 @@ pub(super) struct Pipes {
     buffer: Vec<u8>,
     /// So much of the buffer has no end of a line.
     searched: usize,
+    /// What goes to the log as it comes.
+    kept: Kept,
     log: Option<Log>,
+}
+
+/// What of an answer is text, and goes to the log as it comes.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum Kept {
+    All,
+    /// Up to the end of the line.
+    Line,
+    Nothing,
+}
+
+/// What comes of reading.
+enum Came {
+    Bytes,
+    NotYet,
+    End,
 }
 
 impl Pipes {
@@ -40,6 +58,7 @@ impl Pipes {
             answers,
             buffer: Vec::new(),
             searched: 0,
+            kept: Kept::All,
             log,
         })
     }
@@ -67,10 +86,50 @@ impl Pipes {
                 }
                 return Ok(line);
             }
-            if !self.read()? {
-                self.wait(!unwritten.is_empty(), deadline)?;
+            match self.read()? {
+                Came::Bytes => {}
+                Came::NotYet => self.wait(!unwritten.is_empty(), deadline)?,
+                Came::End if self.buffer.is_empty() => return Err(Trouble::Closed("answer")),
+                Came::End => return Err(Trouble::garbage("half a line", &self.buffer)),
             }
         }
+    }
+
+    /// The same of an answer that has bytes behind its line: `read` makes what it is of the line, and says how many.
+    pub(super) fn exchange_frame<H>(
+        &mut self,
+        message: &[u8],
+        deadline: Option<Instant>,
+        read: impl FnOnce(&[u8]) -> Result<(H, usize), Trouble>,
+    ) -> Result<(H, Vec<u8>), Trouble> {
+        self.kept = Kept::Line;
+        let line = self.exchange(message, deadline)?;
+        let (head, count) = read(&line)?;
+        while self.buffer.len() < count {
+            match self.read()? {
+                Came::Bytes => {}
+                Came::NotYet => self
+                    .wait(false, deadline)
+                    .map_err(|trouble| match trouble {
+                        Trouble::TimedOut => Trouble::HalfFrame,
+                        other => other,
+                    })?,
+                Came::End => {
+                    let got = self.buffer.len();
+                    let problem = format!("a frame cut short, {got} of {count} bytes,");
+                    return Err(Trouble::garbage(problem, &line));
+                }
+            }
+        }
+        let rest = self.buffer.split_off(count);
+        let bytes = std::mem::replace(&mut self.buffer, rest);
+        self.kept = Kept::All;
+        // What is too much is seen when the next line is read, and kept for whoever looks for it.
+        if let Some(log) = self.log.as_ref().filter(|_| !self.buffer.is_empty()) {
+            let kept = log.keep(Stream::Answers, &self.buffer);
+            kept.map_err(Trouble::System)?;
+        }
+        Ok((head, bytes))
     }
 
     /// As much as fits into the pipe; returns the rest.
@@ -90,28 +149,44 @@ impl Pipes {
         Ok(message)
     }
 
-    /// Whether there was something to read.
-    fn read(&mut self) -> Result<bool, Trouble> {
+    /// As much as there is, up to a chunk.
+    fn read(&mut self) -> Result<Came, Trouble> {
         let mut chunk = [0; CHUNK];
         loop {
             match self.answers.read(&mut chunk) {
-                Ok(0) if self.buffer.is_empty() => return Err(Trouble::Closed("answer")),
-                Ok(0) => return Err(Trouble::garbage("half a line", &self.buffer)),
+                Ok(0) => return Ok(Came::End),
                 Ok(count) => {
                     let read = chunk.get(..count).unwrap_or_default();
-                    if let Some(log) = &self.log {
-                        log.keep(Stream::Answers, read).map_err(Trouble::System)?;
-                    }
+                    self.keep(read).map_err(Trouble::System)?;
                     self.buffer.extend_from_slice(read);
-                    return Ok(true);
+                    return Ok(Came::Bytes);
                 }
                 Err(error) => match error.kind() {
                     ErrorKind::Interrupted => {}
-                    ErrorKind::WouldBlock => return Ok(false),
+                    ErrorKind::WouldBlock => return Ok(Came::NotYet),
                     _ => return Err(Trouble::System(error)),
                 },
             }
         }
+    }
+
+    /// Logs what was read, as far as it is text.
+    fn keep(&mut self, read: &[u8]) -> io::Result<()> {
+        let Some(log) = &self.log else {
+            return Ok(());
+        };
+        let text = match self.kept {
+            Kept::All => read,
+            Kept::Nothing => return Ok(()),
+            Kept::Line => match read.iter().position(|byte| *byte == b'\n') {
+                None => read,
+                Some(end) => {
+                    self.kept = Kept::Nothing;
+                    read.get(..=end).unwrap_or(read)
+                }
+            },
+        };
+        log.keep(Stream::Answers, text)
     }
 
     /// The first line of the buffer, if it has one.

@@ -1,5 +1,6 @@
 //! The messages as a JSON Schema.
 
+use super::frame::message::{WireFrame, WireFrameAnswer};
 use super::message::{Answer, KernelHello, Render, VolverHello};
 use super::number::Number;
 use super::written::{Array, Written};
@@ -17,6 +18,8 @@ pub fn schema() -> Value {
         generator.subschema_for::<KernelHello>(),
         generator.subschema_for::<Render<'_>>(),
         generator.subschema_for::<Answer>(),
+        generator.subschema_for::<WireFrame<'_>>(),
+        generator.subschema_for::<WireFrameAnswer>(),
     ];
     json!({
         "$schema": "https://json-schema.org/draft/2020-12/schema",

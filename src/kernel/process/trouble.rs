@@ -10,6 +10,8 @@ const SHOWN: usize = 80;
 pub enum Trouble {
     /// Nothing came in time.
     TimedOut,
+    /// A line came in time, and not all that it says stands behind it.
+    HalfFrame,
     /// It closed a pipe: `request` or `answer`.
     Closed(&'static str),
     /// The system refuses to read or write.

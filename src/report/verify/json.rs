@@ -3,12 +3,15 @@
 use super::words::theory;
 use crate::case::Unproved;
 use crate::convergence::{Fit, ReportedError, Sample, StochasticFit, serialize_float};
-use crate::kernel::Quantity;
+use crate::identify::Together;
+use crate::kernel::{KernelError, Quantity, Rendering};
 use crate::report::{ReportError, identify};
-use crate::study::verify::{self as standing, Axis, Identified, Line, Measured, Verification};
+use crate::study::verify::{
+    self as standing, Acceptance, Axis, Identified, Line, Measured, Verification,
+};
 use rug::Float;
 use serde::Serialize;
-use std::num::NonZeroU64;
+use std::num::{NonZeroU64, NonZeroUsize};
 
 #[derive(Serialize)]
 struct Document<'a> {
@@ -26,6 +29,8 @@ struct Document<'a> {
     as_declared: Option<Declared>,
     #[serde(skip_serializing_if = "Option::is_none")]
     identification: Option<Identification<'a>>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    batch: Option<Batch<'a>>,
     findings: Vec<Finding<'a>>,
     #[serde(skip_serializing_if = "Option::is_none")]
     different_seeds: Option<usize>,
@@ -48,6 +53,8 @@ struct Kernel<'a> {
     multiple_of: NonZeroU64,
     far_wall: bool,
     background: bool,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    batch: Option<NonZeroUsize>,
     answers: Vec<&'static str>,
     #[serde(skip_serializing_if = "Option::is_none")]
     expected_depth: Option<&'static str>,
@@ -87,6 +94,34 @@ struct Identification<'a> {
     channels: Agreement<'a>,
     accepted: Vec<String>,
     cost: identify::Cost,
+}
+
+/// Many rays in one request.
+#[derive(Serialize)]
+struct Batch<'a> {
+    rays: usize,
+    /// Of the shortest and of the longest.
+    segments: [usize; 2],
+    /// How many have another answer than alone.
+    differ: usize,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    name: Option<&'a str>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    does: Option<&'a str>,
+    accepted: bool,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    first: Option<Apart>,
+}
+
+/// The first ray that differs.
+#[derive(Serialize)]
+struct Apart {
+    ray: usize,
+    segments: usize,
+    step: f64,
+    /// The radiances; null where there is no answer.
+    alone: Option<Vec<String>>,
+    together: Option<Vec<String>>,
 }
 
 /// The rule against the values of the ladder.
@@ -161,6 +196,7 @@ pub fn json(verification: &Verification) -> Result<String, ReportError> {
             multiple_of: declaration.multiple_of,
             far_wall: declaration.far_wall,
             background: declaration.background,
+            batch: declaration.batch,
             answers: declaration.answers.iter().map(|one| one.name()).collect(),
             expected_depth: declaration
                 .has(Quantity::ExpectedDepth)
@@ -183,6 +219,10 @@ pub fn json(verification: &Verification) -> Result<String, ReportError> {
             .as_ref()
             .map(|identified| identification(identified, verification))
             .transpose()?,
+        batch: verification
+            .together
+            .as_ref()
+            .map(|found| batch(found, verification)),
         findings: verification
             .findings
             .iter()
@@ -197,6 +237,31 @@ pub fn json(verification: &Verification) -> Result<String, ReportError> {
     let mut text = serde_json::to_string_pretty(&document)?;
     text.push('\n');
     Ok(text)
+}
+
+fn batch<'a>(found: &'a Together, verification: &Verification) -> Batch<'a> {
+    let deviation = found.deviation.as_ref();
+    let radiance = |answer: &Result<Rendering, KernelError>| {
+        let rendering = answer.as_ref().ok()?;
+        // As text: NaN and infinities are answers too.
+        let numbers = rendering.radiance.iter().map(Float::to_f64);
+        Some(numbers.map(|number| format!("{number:?}")).collect())
+    };
+    Batch {
+        rays: found.rays,
+        segments: [found.segments.0, found.segments.1],
+        differ: found.differ,
+        name: deviation.map(|deviation| deviation.name),
+        does: deviation.map(|deviation| deviation.does.as_str()),
+        accepted: verification.acceptance_of_batch() == Some(Acceptance::Accepted),
+        first: found.first.as_ref().map(|first| Apart {
+            ray: first.ray,
+            segments: first.segments,
+            step: first.step,
+            alone: radiance(&first.alone),
+            together: radiance(&first.together),
+        }),
+    }
 }
 
 fn counts_of(counts: standing::Counts) -> Counts {

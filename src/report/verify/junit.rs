@@ -1,7 +1,7 @@
 //! `JUnit` XML, which CI servers show: one test case a channel, and one for what the kernel computes.
 
 use super::words::{failure, failures, findings, not_declared, order, theory};
-use super::{answers, deviates, identified};
+use super::{answers, deviates, identified, together};
 use crate::document::Finding;
 use crate::study::verify::{Conclusion, Line, Standing, Verification};
 use std::fmt::Write;
@@ -23,6 +23,7 @@ pub fn junit(verification: &Verification) -> String {
     }
     let deviates = deviates(verification);
     let said = identified::findings(verification).into_iter();
+    let said = said.chain(together::said(verification));
     let said = said.chain(not_declared(verification));
     let said = said.chain(findings(verification, usize::MAX));
     let sentences: Vec<String> = said.map(|said| Finding::sentence(&said)).collect();

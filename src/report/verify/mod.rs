@@ -8,6 +8,7 @@ mod json;
 mod junit;
 mod rows;
 mod scattered;
+mod together;
 mod words;
 
 #[cfg(feature = "studies")]
@@ -61,6 +62,11 @@ pub fn document(verification: &Verification, about: &About) -> Document {
             "deviations",
             "How it deviates",
             identified::deviations(verification),
+        ),
+        Section::of(
+            "together",
+            "Many rays in one request",
+            together::said(verification).map(Block::Finding),
         ),
         Section::of(
             "witness",

@@ -160,21 +160,34 @@ impl<'a> Asked<'a> {
         } else {
             1
         };
-        let mut levels = Vec::with_capacity(self.levels.len());
-        for level in &self.levels {
-            let tasks: Vec<Task<'_>> = (0..seeds as u64)
-                .map(|seed| self.task(level, seed))
+        let of_level = |level| (0..seeds as u64).map(move |seed| (level, seed));
+        let of_levels = self.levels.iter().flat_map(of_level);
+        let rays: Vec<(&Level, u64)> = of_levels
+            .chain(self.spots.iter().map(|spot| (spot, 0)))
+            .collect();
+        // What takes many rays at once is asked all; else a level at a time, so that one that fails is not the others'.
+        let (ladder, spots) = rays.split_at(self.levels.len() * seeds);
+        let requests: Vec<&[(&Level, u64)]> = match self.declaration.batch {
+            Some(_) => vec![&rays],
+            None => ladder.chunks(seeds.max(1)).chain(spots.chunks(1)).collect(),
+        };
+        let mut answers = Vec::with_capacity(rays.len());
+        for request in requests {
+            let tasks: Vec<Task<'_>> = request
+                .iter()
+                .map(|(level, seed)| self.task(level, *seed))
                 .collect();
-            let answers = kernel.render_all(&tasks);
-            let checked = answers.into_iter().map(|one| self.checked(level, one));
-            levels.push(checked.collect());
-            progress.advance(level.count * seeds as u64);
+            let before = answers.len();
+            let answered = request.iter().zip(kernel.render_all(&tasks));
+            answers.extend(answered.map(|((level, _), one)| self.checked(level, one)));
+            // Those beside the ladder are no part of the work that is counted.
+            let counted = request.iter().take(ladder.len().saturating_sub(before));
+            progress.advance(counted.map(|(level, _)| level.count).sum());
         }
-        let spots = self.spots.iter().map(|spot| {
-            let answer = kernel.render(&self.task(spot, 0));
-            self.checked(spot, answer)
-        });
-        let spots = spots.collect();
+        let spots = answers.split_off(ladder.len());
+        let mut answers = answers.into_iter();
+        let level = |_| answers.by_ref().take(seeds).collect();
+        let levels = self.levels.iter().map(level).collect();
         // After all others: what keeps an answer for the next request has another one by now.
         let seed = if stochastic { 0 } else { OTHER_SEED };
         let again = self.levels.first().map(|level| {

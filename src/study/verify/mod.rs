@@ -37,12 +37,13 @@ pub use standing::{Counts, Standing};
 
 use super::Progress;
 use crate::convergence::Verdict;
-use crate::identify::OPACITY_ANSWERED;
+use crate::identify::{OPACITY_ANSWERED, Silence, Spent, Together, together};
 use crate::kernel::{Declaration, DeclarationError, Kernel, Quantity, Subject, SubjectError};
 use crate::reference::ReferenceError;
 use asked::Asked;
 use identified::{Ladder, identified};
 use seeds::Seeds;
+use std::num::NonZeroUsize;
 use std::time::Instant;
 
 /// A kernel that answers nothing on one case may answer on the next; on so many in a row, it does not.
@@ -62,6 +63,8 @@ pub struct Verification {
     pub lines: Vec<Line>,
     /// What it computes; `None` where that was not to be read off, along the grid, or where there is no radiance.
     pub identification: Option<Identified>,
+    /// Many rays in one request; `None` where that was not to be seen.
+    pub together: Option<Together>,
     /// What else was found, with the channels that show it.
     pub findings: Vec<Finding>,
     /// So many seeds had answers of their own; `None` for a deterministic kernel.
@@ -190,6 +193,23 @@ impl Verification {
     pub fn deviates(&self) -> bool {
         let identified = self.identification.as_ref();
         identified.is_some_and(|identified| identified.speaks_against(&self.settings.accept))
+            || self.depends_on_others()
+    }
+
+    /// Whether rays of one request have other answers than alone, but for what is accepted.
+    #[must_use]
+    pub fn depends_on_others(&self) -> bool {
+        let how = self.acceptance_of_batch();
+        how.is_some_and(|how| how != Acceptance::Accepted)
+    }
+
+    /// Whether that is accepted; `None` where no ray has another answer, or it was not to be seen.
+    #[must_use]
+    pub fn acceptance_of_batch(&self) -> Option<Acceptance> {
+        let differ = self.together.as_ref().filter(|found| found.differ > 0)?;
+        let accepted = &self.settings.accept;
+        let deviation = differ.deviation.as_ref();
+        Some(deviation.map_or(Acceptance::Unknown, |one| accept::acceptance(accepted, one)))
     }
 
     /// Whether there are deviations that are all accepted, from which the values follow.
@@ -270,6 +290,11 @@ pub fn verify(
     let declaration = kernel.declaration().clone();
     declaration.check()?;
     let settings = &settings.suited(&declaration)?;
+    if let (Some(count), Some(most)) = (settings.batch, declaration.batch)
+        && count > most.get()
+    {
+        return Err(VerifyError::Batch { count, most });
+    }
     let subjects = &background::before(subjects, &declaration, settings)?[..];
     let mut lines = Vec::new();
     let mut unanswered = 0;
@@ -312,6 +337,16 @@ pub fn verify(
     let answers = !lines.iter().all(Line::is_without_answer);
     let identification =
         (identifies && answers).then(|| identified(kernel, settings, &ladder, &lines, progress));
+    let together = match settings.batch {
+        Some(count) if answers => {
+            let mut before = 0;
+            Some(together(kernel, count, &mut |spent: &Spent| {
+                progress.advance(spent.segments.saturating_sub(before));
+                before = spent.segments;
+            })?)
+        }
+        _ => None,
+    };
     let unsteady = explain::unsteady(&declaration, &lines).into_iter();
     let findings = unsteady.chain(explain::outside(&lines)).collect();
     let different_seeds = declaration.stochastic.then(|| seeds.different());
@@ -320,6 +355,7 @@ pub fn verify(
         settings: settings.clone(),
         lines,
         identification,
+        together,
         findings,
         different_seeds,
     };
@@ -353,6 +389,17 @@ pub enum VerifyError {
         /// Why.
         error: ReferenceError,
     },
+    /// More rays in one request than the kernel takes.
+    #[error("--batch {count} (allowed: 2 to {most}, as the kernel declares)")]
+    Batch {
+        /// How many were wanted.
+        count: usize,
+        /// How many it takes.
+        most: NonZeroUsize,
+    },
+    /// Many rays in one request have no answers, and alone neither.
+    #[error("--batch: {0}")]
+    Together(#[from] Silence),
     /// A background that is none of the case.
     #[error(transparent)]
     Background(#[from] SubjectError),

@@ -3,7 +3,7 @@
 use super::{Accepted, Identify};
 use crate::case::nodes::gcd;
 use crate::convergence::{Ladder, LadderError, MIN_REPLICAS};
-use crate::identify::stated;
+use crate::identify::{TOGETHER, stated};
 use crate::kernel::{Cut, Declaration, MAX_TASK_SEGMENTS, Spacing, Subject};
 use crate::symbolic::parse_number;
 use rug::Rational;
@@ -38,6 +38,8 @@ const LAST: (u32, u32) = (3, 10);
 const UNEVEN: (u32, u32) = (7, 8);
 /// Segments that are rendered to read off what most kernels compute, about.
 const IDENTIFYING: u64 = 8_000;
+/// The same of a ray that is asked alone and among others, about.
+const OF_A_BATCH: u64 = 64;
 /// Fewest levels that an order shows on.
 const MIN_LEVELS: usize = 4;
 
@@ -113,6 +115,8 @@ pub struct Settings {
     pub identify: Identify,
     /// Deviations that are known.
     pub accept: Vec<Accepted>,
+    /// How many rays are asked in one request, to see whether each has the answer that it has alone.
+    pub batch: Option<usize>,
 }
 
 /// Settings that cannot be.
@@ -130,6 +134,9 @@ pub enum SettingsError {
     /// Too few or too many replicas.
     #[error("no number of seeds (allowed: {MIN_REPLICAS} to {MAX_REPLICAS})")]
     Replicas,
+    /// Too few or too many rays in one request.
+    #[error("no number of rays (allowed: {} to {})", TOGETHER.start(), TOGETHER.end())]
+    Batch,
     /// Too few levels.
     #[error("{levels} levels show no order (allowed: {MIN_LEVELS} or more)")]
     Levels {
@@ -188,6 +195,7 @@ impl Settings {
             replicas: REPLICAS,
             identify: Identify::default(),
             accept: Vec::new(),
+            batch: None,
         })
     }
 
@@ -212,6 +220,16 @@ impl Settings {
         order
             .filter(|order| *order >= Rational::from(least) && *order <= most)
             .ok_or(SettingsError::Order)
+    }
+
+    /// How many rays are asked in one request.
+    ///
+    /// # Errors
+    /// [`SettingsError::Batch`].
+    pub fn batch(count: u64) -> Result<usize, SettingsError> {
+        let count = Some(count).filter(|count| TOGETHER.contains(count));
+        let count = count.and_then(|count| usize::try_from(count).ok());
+        count.ok_or(SettingsError::Batch)
     }
 
     /// A number of seeds a level.
@@ -272,10 +290,11 @@ impl Settings {
         });
         let segments = cuts.filter_map(|(cut, subject)| cut.on(subject.length()).ok());
         let identifies = self.axis == Axis::Step && self.identify != Identify::Off;
-        segments.map(|(_, count)| count.saturating_mul(seeds)).fold(
-            if identifies { IDENTIFYING } else { 0 },
-            u64::saturating_add,
-        )
+        let identifying = if identifies { IDENTIFYING } else { 0 };
+        let at_once = settings.batch.unwrap_or(0) as u64 * OF_A_BATCH;
+        segments
+            .map(|(_, count)| count.saturating_mul(seeds))
+            .fold(identifying + at_once, u64::saturating_add)
     }
 
     /// Cells of the grid while the step along the ray is refined. Between them the medium has kinks, which stand at

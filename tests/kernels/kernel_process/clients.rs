@@ -4,6 +4,7 @@ use super::fixture::{segments, subject, task};
 use serde_json::Value;
 use std::fs;
 use std::path::Path;
+use std::process::Command;
 use volver::case::Fresh;
 use volver::kernel::process::{Options, ProcessKernel, schema};
 use volver::kernel::{Kernel, KernelError, Rendering, Subject};
@@ -72,6 +73,95 @@ fn nerf_is_compositing_as_it_declares() {
         assert!(!declaration.far_wall);
         assert_is(&mut kernel, method);
     }
+}
+
+/// Rays of different n, each alone and all at once, are the method's, and the same to the bit.
+fn assert_together(kernel: &mut ProcessKernel, method: &str) {
+    assert_is(kernel, method);
+    let subject = subject("rgb-transfer");
+    let cuts = [512, 1, 37, 8].map(|n| segments(&subject, n));
+    let tasks = cuts.each_ref().map(|cut| task(&subject, cut));
+    let together = kernel.render_together(&tasks).unwrap();
+    for (task, among) in tasks.iter().zip(together) {
+        assert_eq!(kernel.render(task), among);
+    }
+}
+
+#[test]
+fn many_rays_at_once_are_arrays_to_a_kernel_in_python() {
+    let directory = tempfile::tempdir().unwrap();
+    let script = directory.path().join("kernel.py");
+    let code = "
+import math, sys
+sys.path.insert(0, sys.argv[1])
+import volver_kernel
+def render(frame):
+    found = []
+    for ray in range(frame['rays']):
+        depth, radiance = 0.0, [0.0 for _ in frame['channels']]
+        for i in range(frame['offsets'][ray], frame['offsets'][ray + 1]):
+            length = frame['edges_lambda'][i + ray + 1] - frame['edges_lambda'][i + ray]
+            own = frame['middles_extinction'][i] * length
+            weight, depth = math.exp(-depth) * -math.expm1(-own), depth + own
+            radiance = [r + weight * frame['middles_emission'][k, i] for k, r in enumerate(radiance)]
+        found.append(radiance)
+    if frame['cases'] == ['homogeneous'] and frame['offsets'][-1] == 7:
+        raise ValueError('seven')
+    return {'radiance': found}
+volver_kernel.serve({'name': 'mine', 'form': 'segments', 'batch': 9}, render)
+";
+    fs::write(&script, code).unwrap();
+    let examples = in_repository("examples/kernels");
+    let mut kernel = python(script.to_str().unwrap(), &[&examples]);
+    assert_together(&mut kernel, "front-to-back/middle/expm1");
+    let homogeneous = subject("homogeneous");
+    let seven = kernel.render(&task(&homogeneous, &segments(&homogeneous, 7)));
+    let reason = "ValueError: seven".into();
+    assert_eq!(seven, Err(KernelError::Refused { reason }));
+}
+
+#[test]
+fn gradients_of_a_kernel_that_takes_frames_go_as_text() {
+    let directory = tempfile::tempdir().unwrap();
+    let script = directory.path().join("kernel.py");
+    let code = "
+import sys
+sys.path.insert(0, sys.argv[1])
+import volver_kernel
+def render(asked):
+    if 'rays' in asked:
+        return {'radiance': [[1.0]] * asked['rays']}
+    [a], n = asked['cotangents'], asked['segments']
+    return {'radiance': [2.0], 'gradient': {'extinction': [a] * n, 'emission': [[-a] * n]}}
+volver_kernel.serve({'name': 'mine', 'form': 'segments', 'batch': 9, 'gradient': 'middles'}, render)
+";
+    fs::write(&script, code).unwrap();
+    let examples = in_repository("examples/kernels");
+    let mut kernel = python(script.to_str().unwrap(), &[&examples]);
+    let subject = subject("homogeneous");
+    let cut = segments(&subject, 3);
+    let task = task(&subject, &cut);
+    for _ in 0..2 {
+        assert_eq!(kernel.render(&task).unwrap().radiance, [1.0]);
+        let (rendering, gradient) = kernel.gradient(&task, &[5.0]).unwrap();
+        assert_eq!(rendering.radiance, [2.0]);
+        assert_eq!(gradient.extinction, [5.0; 3]);
+        assert_eq!(gradient.emission, [[-5.0; 3]]);
+    }
+}
+
+#[test]
+fn batched_is_compositing_as_it_declares() {
+    let numpy = Command::new("python3")
+        .args(["-c", "import numpy"])
+        .status();
+    if !numpy.is_ok_and(|status| status.success()) {
+        // `make kernels` installs it, and has this kernel always.
+        eprintln!("NumPy is not installed: batched.py is left out");
+        return;
+    }
+    let script = in_repository("examples/kernels/batched.py");
+    assert_together(&mut python(&script, &[]), "front-to-back/middle/expm1");
 }
 
 #[test]

@@ -26,13 +26,29 @@ impl Fixture {
     }
 
     pub(crate) fn start(&self, mode: &str, options: Options) -> Result<ProcessKernel, KernelError> {
-        let script = concat!(
-            env!("CARGO_MANIFEST_DIR"),
-            "/tests/kernels/kernel_process/kernel.py"
-        );
-        let file = self.file();
-        let arguments = ["-S", script, mode, file.to_str().unwrap()].map(String::from);
+        self.run("kernel.py", &[mode], options)
+    }
+
+    /// Starts a script of this directory.
+    pub(crate) fn run(
+        &self,
+        script: &str,
+        words: &[&str],
+        options: Options,
+    ) -> Result<ProcessKernel, KernelError> {
+        let directory = concat!(env!("CARGO_MANIFEST_DIR"), "/tests/kernels/kernel_process/");
+        let (script, file) = (format!("{directory}{script}"), self.file());
+        let before = ["-S", &script].into_iter().chain(words.iter().copied());
+        let arguments = before.chain(file.to_str()).map(String::from);
+        let arguments: Vec<String> = arguments.collect();
         ProcessKernel::start("python3", &arguments, options)
+    }
+
+    /// The requests that children were asked, as they write them down.
+    pub(crate) fn asked(&self) -> Vec<String> {
+        let file = self.file().with_extension("asked");
+        let file = fs::read_to_string(file).unwrap_or_default();
+        file.lines().map(Into::into).collect()
     }
 
     /// What a child wrote down of its end.

@@ -382,6 +382,61 @@ fn greetings_of_other_versions_are_refused_with_what_they_lack() {
 }
 
 #[test]
+fn a_greeting_says_how_many_rays_go_at_once_or_is_refused() {
+    let read = |more: &str| {
+        let hello = format!(r#"{{"type":"hello","name":"a",{more}}}"#);
+        read_greeting(hello.as_bytes())
+    };
+    for count in [1, 4096, 1_000_000] {
+        let greeting = read(&format!(
+            r#""protocol":2,"form":"segments","batch":{count}"#
+        ))
+        .unwrap();
+        let batch = greeting.declaration.batch.map(std::num::NonZeroUsize::get);
+        assert_eq!(batch, Some(count));
+        let none = read(r#""protocol":2,"form":"segments","batch":null"#).unwrap();
+        assert_eq!(none.declaration.batch, None);
+        assert_eq!(greeting.changes(&none), ["batch"]);
+    }
+    let second = r#""protocol":2,"form":"segments""#;
+    for (more, words) in [
+        (
+            r#""protocol":1,"form":"segments","batch":8"#.into(),
+            "batch in protocol 1 (allowed: in protocol 2)",
+        ),
+        (
+            r#""protocol":2,"form":"volume","batch":8"#.into(),
+            "batch of another form (allowed: with the form segments)",
+        ),
+        (
+            format!(r#"{second},"batch":8,"format":"mpfr:54""#),
+            "batch of the format mpfr:54, whose numbers have no room in binary64 (allowed: formats of up to 53 bits)",
+        ),
+        (
+            format!(r#"{second},"batch":0"#),
+            "batch 0 (allowed: 1 to 1000000)",
+        ),
+        (
+            format!(r#"{second},"batch":1000000000"#),
+            "batch 1000000000 (allowed: 1 to 1000000)",
+        ),
+        (
+            format!(r#"{second},"batch":-1"#),
+            "invalid value: integer '-1' (allowed: u64)",
+        ),
+        (
+            format!(r#"{second},"batch":"all""#),
+            "invalid type: string \"all\" (allowed: u64)",
+        ),
+    ] {
+        match read(&more) {
+            Err(Trouble::Greeting { problem }) => assert_eq!(problem, words),
+            other => panic!("{other:?}"),
+        }
+    }
+}
+
+#[test]
 fn what_is_wrong_with_a_greeting_is_named_with_what_is_allowed() {
     let refused = |key: &str, value: Value| {
         let mut hello = json!({"type": "hello", "protocol": 1, "name": "a", "form": "segments"});
