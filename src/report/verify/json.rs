@@ -5,7 +5,9 @@ use crate::case::Unproved;
 use crate::convergence::{Fit, ReportedError, Sample, StochasticFit, serialize_float};
 use crate::kernel::Quantity;
 use crate::report::{ReportError, identify};
-use crate::study::verify::{self as standing, Axis, Identified, Line, Measured, Verification};
+use crate::study::verify::{
+    self as standing, Axis, Beyond, Identified, Line, Measured, Verification,
+};
 use rug::Float;
 use serde::Serialize;
 use std::num::NonZeroU64;
@@ -120,6 +122,9 @@ struct Row<'a> {
     largest_error: Option<f64>,
     #[serde(skip_serializing_if = "Vec::is_empty")]
     remarks: Vec<String>,
+    /// From where on levels do not show an order of three or more.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    beyond: Option<Beyond>,
     steady: bool,
     failures: Vec<Failure>,
     #[serde(skip_serializing_if = "Option::is_none")]
@@ -263,6 +268,7 @@ fn row(line: &Line) -> Row<'_> {
         unproved: &line.unproved,
         largest_error: line.largest_error().filter(|error| error.is_finite()),
         remarks: said.collect(),
+        beyond: line.beyond(),
         steady: line.steady,
         failures: failures.collect(),
         fit,
