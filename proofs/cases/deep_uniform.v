@@ -15,11 +15,11 @@ Definition field (lambda : R) : R :=
 Definition extinction (s : R) : R :=
   240.
 Definition emission (s : R) : R :=
-  exp (-240 * s).
+  exp (-480 * s).
 Definition exact_depth (lambda : R) : R :=
   240 * lambda.
 Definition exact_radiance (lambda : R) : R :=
-  1 / 2 * (1 - exp (-480 * lambda)).
+  1 / 3 * (1 - exp (-720 * lambda)).
 
 Theorem deep_uniform_falling (D : R) :
   0 <= D <= 1 / 2 ->
