@@ -50,7 +50,7 @@ impl Check {
         let baseline = Baseline::read(&read(&self.baseline, COMPUTED)?).map_err(wrong)?;
         let settings = baseline.settings().map_err(wrong)?;
         let at_once = self.kernel.at_once()?;
-        let subjects = subjects(&baseline.cases, &self.baseline)?;
+        let subjects = subjects(&baseline.asked(), &self.baseline)?;
         let mut kernel = at_once.map_or_else(|| self.kernel.program(), Ok)?;
         let mut rows = Rows::new(!self.quiet, true, self.color);
         let verification = rows.run(kernel.as_mut(), &subjects, &settings, &self.kernel)?;

@@ -23,7 +23,7 @@ pub fn stated(method: &Method) -> Option<Rule> {
     }
 }
 
-/// All but the logarithmic mean, which is no sum of emissions.
+/// All but the logarithmic mean, which is no sum of emissions, and Bézier curves, which look at the layers beside.
 fn of_layers(layers: Layers) -> Option<Rule> {
     let at = |parts: [(u32, u32); 3]| parts.map(Rational::from);
     let ends = || at([(1, 2), (0, 1), (1, 2)]);
@@ -39,7 +39,7 @@ fn of_layers(layers: Layers) -> Option<Rule> {
     let scheme = match layers {
         Layers::Linear => of_trapezoid(Segment::LinearInDepth { swapped: false }),
         Layers::Mean => of_trapezoid(Segment::Opacity { parts: ends() }),
-        Layers::Logarithmic => return None,
+        Layers::Logarithmic | Layers::Bezier(_) => return None,
         Layers::HalfCells => of_trapezoid(Segment::Halves),
         Layers::Middle => of_trapezoid(Segment::Quadrature {
             parts: at([(0, 1), (1, 1), (0, 1)]),

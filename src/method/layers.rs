@@ -1,6 +1,9 @@
 //! Layer rules: formal solutions of the transfer equation and of emission tomography, layer by layer.
 
+mod bezier;
 mod limits;
+
+pub use bezier::{Bezier, Degree, Limiter};
 
 use super::MethodError;
 use super::error::require_multiple;
@@ -23,9 +26,10 @@ use std::fmt;
 /// | middle | d (τf + τb)/2 | d τm Cm e^(−x/2): emission of the middle, attenuated to it |
 /// | half own | d τm | d τm Cm e^(−x/2): a voxel, attenuated by half of itself |
 /// | whole own | d τm | d τm Cm e^(−x): a voxel, attenuated by all of itself |
+/// | Bézier | curve of τ | curve of C in optical depth: [`Bezier`] |
 ///
-/// All have order 2 but the whole own voxel, which has 1. The logarithmic mean has order 2 where C has no zero, is 0
-/// where one end's C is, and no number where signs differ.
+/// All have order 2 but the whole own voxel, which has 1, and Bézier curves, which have 3. The logarithmic mean has order
+/// 2 where C has no zero, is 0 where one end's C is, and no number where signs differ.
 ///
 /// Source: Olson and Kunasz (1987) for the linear rule; half and whole own voxels are those of projectors in emission
 /// tomography, cells around depth points those of discrete ordinates.
@@ -45,10 +49,16 @@ pub enum Layers {
     HalfOwn,
     /// A voxel, attenuated by all of itself.
     WholeOwn,
+    /// Bézier curves of τ, and of C in optical depth.
+    Bezier(Bezier),
+}
+
+const fn bezier(degree: Degree, limiter: Limiter) -> Layers {
+    Layers::Bezier(Bezier { degree, limiter })
 }
 
 /// All rules, with their names.
-const NAMES: [(Layers, &str); 7] = [
+const NAMES: [(Layers, &str); 13] = [
     (Layers::Linear, "linear"),
     (Layers::Mean, "mean"),
     (Layers::Logarithmic, "logarithmic"),
@@ -56,6 +66,21 @@ const NAMES: [(Layers, &str); 7] = [
     (Layers::Middle, "middle"),
     (Layers::HalfOwn, "half-own"),
     (Layers::WholeOwn, "whole-own"),
+    (bezier(Degree::Quadratic, Limiter::None), "bezier-quadratic"),
+    (
+        bezier(Degree::Quadratic, Limiter::Clip),
+        "bezier-quadratic-clip",
+    ),
+    (
+        bezier(Degree::Quadratic, Limiter::Monotone),
+        "bezier-quadratic-monotone",
+    ),
+    (bezier(Degree::Cubic, Limiter::None), "bezier-cubic"),
+    (bezier(Degree::Cubic, Limiter::Clip), "bezier-cubic-clip"),
+    (
+        bezier(Degree::Cubic, Limiter::Monotone),
+        "bezier-cubic-monotone",
+    ),
 ];
 
 impl Layers {
@@ -113,6 +138,7 @@ impl Layers {
                 let passes = (-depth.clone()).exp();
                 (depth * &voxel.emission * &passes, passes)
             }),
+            Layers::Bezier(bezier) => bezier.radiance(nodes, n, &step),
         })
     }
 }

@@ -26,7 +26,7 @@ pub use error::MethodError;
 pub use expected::Expected;
 pub use exponential::{Exponential, Scope};
 pub use inner::{Filling, Inner, OpticalDepth};
-pub use layers::Layers;
+pub use layers::{Bezier, Degree, Layers, Limiter};
 pub use level::Level;
 pub use limit::{Limit, Part};
 pub use name::MethodNameError;

@@ -47,7 +47,7 @@ fn the_list_has_every_case_in_lines_that_fit() {
     let paper = lines().find(|line| line.starts_with("sine-squared "));
     let paper: Vec<&str> = paper.unwrap().split_whitespace().collect();
     assert_eq!(paper[1..4], ["1", "0.420735", "0.134393"]);
-    assert!(text.contains("\n50 cases, 58 channels; "));
+    assert!(text.contains("\n62 cases, 97 channels; "));
 }
 
 #[test]

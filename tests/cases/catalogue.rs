@@ -77,6 +77,54 @@ fn precision_is_the_format_s_own() {
     }
 }
 
+/// The catalogue is not to be learnt by heart with lengths of 1 and moderate depths.
+#[test]
+fn half_of_the_channels_have_another_length_than_1() {
+    let cases = all();
+    let others = cases.iter().filter(|case| case.case.length() != 1).count();
+    assert!(2 * others >= cases.len(), "{others} of {}", cases.len());
+}
+
+/// Figures are compared on it over time: it is never another one.
+#[test]
+fn the_first_58_channels_keep_their_tag() {
+    let tagged = catalogue::names().filter(|name| has_tag(name, "first"));
+    let names: Vec<&str> = tagged.collect();
+    assert_eq!(names.len(), 50);
+    let channels: usize = names.iter().map(|name| made(name).len()).sum();
+    assert_eq!(channels, 58);
+}
+
+#[test]
+fn tags_on_depth_and_emission_are_true_both_ways() {
+    let (mut deep, mut even) = (0, 0);
+    for name in catalogue::names() {
+        let cases = made(name);
+        let is_deep = cases.iter().all(|case| at_far_end(case, 64).0 >= 100);
+        assert_eq!(is_deep, has_tag(name, "deep"), "{name}");
+        deep += usize::from(is_deep);
+        let is_even = has_tag(name, "constant-emission");
+        for case in cases.iter().filter(|_| is_even) {
+            // I = C (1 − e^(−t)): what a projector is given.
+            let (depth, radiance) = at_far_end(case, 400);
+            let emission = Float::from(case.case.transfer(&Mpfr { bits: 400 }.int(0)).emission);
+            let off = radiance + (emission * Float::exp_m1(-depth));
+            assert!(off.abs() < 1e-100, "{name}");
+            even += 1;
+        }
+    }
+    assert!(deep >= 4 && even >= 3, "{deep} deep, {even} even");
+}
+
+fn made(name: &str) -> Vec<Manufactured> {
+    manufacture(&catalogue::find(name).unwrap().unwrap()).unwrap()
+}
+
+fn has_tag(name: &str, tag: &str) -> bool {
+    let description = catalogue::find(name).unwrap().unwrap();
+    description.tags.iter().any(|own| own == tag)
+}
+
 /// Gauss–Legendre inside and outside converges exponentially on what is analytic.
 #[test]
 fn errors_fall_below_1e_60_on_smooth_cases() {

@@ -3,6 +3,7 @@
 mod answers;
 mod background;
 mod baseline;
+mod beyond;
 mod ladder;
 mod quantum;
 mod said;

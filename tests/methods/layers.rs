@@ -1,16 +1,20 @@
 //! Layer rules: by their definitions, exact where they should be, and of the orders that theory gives.
 
-use rug::Float;
+use rug::ops::Pow;
+use rug::{Float, Integer, Rational};
 use volver::case::manufacture::{Manufactured, manufacture};
-use volver::case::{Case, Description, Fresh, SymbolicCase, catalogue};
+use volver::case::{Case, Description, Fresh, SymbolicCase, Transfer, catalogue};
 use volver::convergence::{Verdict, fit};
-use volver::method::{Expected, Layers, Method, MethodError, expected, expected_on};
-use volver::real::special::{linear_in_depth, logarithmic_mean};
-use volver::real::{Format, Mpfr, Native, Real};
+use volver::method::{
+    Bezier, Degree, Expected, Layers, Limiter, Method, MethodError, expected, expected_on,
+};
+use volver::quadrature::Rule;
+use volver::real::special::{bernstein_in_depth, linear_in_depth, logarithmic_mean};
+use volver::real::{Format, Mpfr, MpfrReal, Native, Real};
 use volver::study::{Run, Silent, samples};
 
-const LADDER: [u64; 9] = [8, 16, 32, 64, 128, 256, 512, 1024, 2048];
-/// Errors of order 2 are some 2⁻²² of the radiance at 2048 layers, far above the floor of 2⁻⁸¹.
+const LADDER: [u64; 8] = [8, 16, 32, 64, 128, 256, 512, 1024];
+/// Errors of order 3 are some 2⁻³⁰ of the radiance at 1024 layers, far above the floor of 2⁻⁸¹.
 const FORMAT: Mpfr = Mpfr { bits: 96 };
 
 fn made(name: &str) -> Vec<SymbolicCase> {
@@ -45,6 +49,9 @@ fn by_hand(layers: Layers, case: &SymbolicCase, n: u32) -> f64 {
         let value = case.transfer(&case.field(&(d * f64::from(half_steps) / 2.0)));
         (value.extinction, value.emission)
     };
+    if let Layers::Bezier(bezier) = layers {
+        return bezier_by_hand(bezier, d, &(0..=n).map(|i| at(2 * i)).collect::<Vec<_>>());
+    }
     let mut radiance = 0.0;
     for i in (0..n).rev() {
         let ((tf, cf), (tm, cm), (tb, cb)) = (at(2 * i), at(2 * i + 1), at(2 * i + 2));
@@ -72,7 +79,98 @@ fn by_hand(layers: Layers, case: &SymbolicCase, n: u32) -> f64 {
             Layers::Middle => (ends, d * tm * cm * (-ends / 2.0).exp()),
             Layers::HalfOwn => (tm * d, d * tm * cm * (-tm * d / 2.0).exp()),
             Layers::WholeOwn => (tm * d, d * tm * cm * (-tm * d).exp()),
+            Layers::Bezier(_) => unreachable!("it has its own"),
         };
+        radiance = light + (-x).exp() * radiance;
+    }
+    radiance
+}
+
+/// The curve's points between its ends as papers write them: derivatives by slopes, then tangents.
+fn points_by_hand(bezier: Bezier, steps: &[f64], values: &[f64], k: usize) -> Vec<f64> {
+    let slope = |k: usize| (values[k + 1] - values[k]) / steps[k];
+    let derivative = |k: usize| {
+        if k == 0 {
+            return slope(0);
+        }
+        if k == steps.len() {
+            return slope(k - 1);
+        }
+        let (before, after) = (slope(k - 1), slope(k));
+        let (h_before, h_after) = (steps[k - 1], steps[k]);
+        match bezier.limiter {
+            Limiter::Monotone if before * after <= 0.0 => 0.0,
+            Limiter::Monotone => {
+                let alpha = (1.0 + h_after / (h_before + h_after)) / 3.0;
+                before * after / (alpha * after + (1.0 - alpha) * before)
+            }
+            Limiter::None | Limiter::Clip => {
+                (h_after * before + h_before * after) / (h_before + h_after)
+            }
+        }
+    };
+    let (front, back, h) = (values[k], values[k + 1], steps[k]);
+    let mut points = match bezier.degree {
+        Degree::Quadratic => {
+            let by_front = front + h / 2.0 * derivative(k);
+            let by_back = back - h / 2.0 * derivative(k + 1);
+            vec![f64::midpoint(by_front, by_back)]
+        }
+        Degree::Cubic => vec![
+            front + h / 3.0 * derivative(k),
+            back - h / 3.0 * derivative(k + 1),
+        ],
+    };
+    if bezier.limiter == Limiter::Clip {
+        for point in &mut points {
+            *point = point.clamp(front.min(back), front.max(back));
+        }
+    }
+    points.insert(0, front);
+    points.push(back);
+    points
+}
+
+/// The curve at u, by de Casteljau's algorithm.
+fn on_curve(points: &[f64], u: f64) -> f64 {
+    let mut points = points.to_vec();
+    while points.len() > 1 {
+        points = points
+            .windows(2)
+            .map(|two| (1.0 - u) * two[0] + u * two[1])
+            .collect();
+    }
+    points[0]
+}
+
+/// Both integrals of a layer by Gauss's rule along the curve.
+fn bezier_by_hand(bezier: Bezier, d: f64, places: &[(f64, f64)]) -> f64 {
+    let gauss = Rule::GaussLegendre(24).table(64).unwrap();
+    let nodes: Vec<(f64, f64)> = gauss
+        .nodes
+        .iter()
+        .zip(&gauss.weights)
+        .map(|(x, w)| (x.to_f64(), w.to_f64()))
+        .collect();
+    let (extinctions, emissions): (Vec<f64>, Vec<f64>) = places.iter().copied().unzip();
+    let steps = vec![d; places.len() - 1];
+    let depths: Vec<f64> = (0..steps.len())
+        .map(|k| {
+            let points = points_by_hand(bezier, &steps, &extinctions, k);
+            nodes
+                .iter()
+                .map(|(u, w)| d * w * on_curve(&points, *u))
+                .sum()
+        })
+        .collect();
+    let mut radiance = 0.0;
+    for k in (0..steps.len()).rev() {
+        let points = points_by_hand(bezier, &depths, &emissions, k);
+        let x = depths[k];
+        let light: f64 = nodes
+            .iter()
+            .map(|(u, w)| x * w * on_curve(&points, *u) * (-x * u).exp())
+            .sum();
         radiance = light + (-x).exp() * radiance;
     }
     radiance
@@ -80,7 +178,6 @@ fn by_hand(layers: Layers, case: &SymbolicCase, n: u32) -> f64 {
 
 #[test]
 fn rules_are_their_definitions() {
-    let mut values = Vec::new();
     for name in ["thick", "cloud", "linear-transfer", "emission-bump"] {
         for case in made(name) {
             for layers in Layers::ALL {
@@ -91,14 +188,14 @@ fn rules_are_their_definitions() {
                     difference <= 1e-13 * wanted.abs(),
                     "{layers} on {name}: {difference}"
                 );
-                values.push(radiance);
             }
         }
     }
-    // No two of them are one.
-    values.sort_by(f64::total_cmp);
-    values.dedup_by(|a, b| (*a - *b).abs() < 1e-9);
-    assert!(values.len() >= 4 * Layers::ALL.len() - 3, "{values:?}");
+}
+
+/// Whether what is linear in optical depth is so for the rule too.
+fn follows(layers: Layers) -> bool {
+    matches!(layers, Layers::Linear | Layers::Bezier(_))
 }
 
 #[test]
@@ -123,16 +220,12 @@ fn where_a_model_is_the_medium_all_digits_are_right() {
         let of_linear = error(layers, &linear, 7, format);
         let ends = !matches!(layers, Layers::Middle | Layers::HalfOwn | Layers::WholeOwn);
         assert_eq!(of_constant < 1e-60, ends, "{layers}: {of_constant}");
-        assert_eq!(
-            of_linear < 1e-60,
-            layers == Layers::Linear,
-            "{layers}: {of_linear}"
-        );
+        assert_eq!(of_linear < 1e-60, follows(layers), "{layers}: {of_linear}");
         let method = Method::Layered(layers);
         assert_eq!(expected(&method, &constant) == Expected::Exact, ends);
         assert_eq!(
             expected(&method, &linear) == Expected::Exact,
-            layers == Layers::Linear
+            follows(layers)
         );
     }
 }
@@ -142,7 +235,12 @@ fn orders_in_general_are_these() {
     for layers in Layers::ALL {
         let order = match layers {
             Layers::WholeOwn => Expected::Order(1.0),
-            Layers::Logarithmic => Expected::Unknown,
+            Layers::Logarithmic
+            | Layers::Bezier(Bezier {
+                limiter: Limiter::Clip,
+                ..
+            }) => Expected::Unknown,
+            Layers::Bezier(_) => Expected::Order(3.0),
             _ => Expected::Order(2.0),
         };
         assert_eq!(Method::Layered(layers).order(), order, "{layers}");
@@ -157,6 +255,74 @@ fn bears_out(verdict: Verdict, theory: Expected, last: f64) -> bool {
         (Verdict::Blind, Expected::Blind { here, .. }) => (last - here).abs() < 0.05,
         _ => verdict.passes(Some(theory)),
     }
+}
+
+/// d³/24 [τ″ (C − I) + C″ τ − C′ τ′] in front, and d³/24 T [τ″ C + C″ τ − C′ τ′] at the far end: what derivatives by one layer
+/// leave of a curve.
+fn left_by_ends(case: &SymbolicCase, n: u64) -> f64 {
+    let format = Mpfr { bits: 600 };
+    let length = format.ratio(&case.length());
+    let h =
+        format.ratio(&case.length()) * &format.ratio(&Rational::from((1, Integer::from(1) << 100)));
+    let radiance = case.radiance(&length).unwrap();
+    let passes = (-case.optical_depth(&length).unwrap()).exp();
+    let at = |place: &MpfrReal, beside: &MpfrReal| {
+        let [before, here, after] = [place.clone() - &h, place.clone(), place.clone() + &h]
+            .map(|place| case.transfer(&case.field(&place)));
+        // f″ and f′ by central differences: formulas go on beyond the ends.
+        let differences = |of: &dyn Fn(&Transfer<MpfrReal>) -> MpfrReal| {
+            let (before, here, after) = (of(&before), of(&here), of(&after));
+            let second = (after.clone() + &before - &(here.clone() * &format.int(2))) / &h / &h;
+            (here, (after - &before) / &h / &format.int(2), second)
+        };
+        let (tau, slope, bend) = differences(&|at| at.extinction.clone());
+        let (c, rise, turn) = differences(&|at| at.emission.clone());
+        bend * &(c - beside) + &(turn * &tau) - &(rise * &slope)
+    };
+    let ends = at(&format.int(0), &radiance) + &(at(&length, &format.int(0)) * &passes);
+    let d = (case.length() / n).to_f64();
+    ends.to_float().to_f64() * d.powi(3) / 24.0
+}
+
+/// Whether the third order of a curve is far below what the next one is at the finest level.
+fn is_hidden(method: Method, case: &SymbolicCase, finest: f64) -> bool {
+    let is_curve = matches!(method, Method::Layered(Layers::Bezier(_)));
+    is_curve && 8.0 * left_by_ends(case, LADDER[LADDER.len() - 1]).abs() < finest
+}
+
+#[test]
+fn what_is_left_of_curves_is_left_by_the_ends_of_the_ray() {
+    let mut told = 0;
+    for name in [
+        "beam",
+        "half-length",
+        "cloud",
+        "sine-squared",
+        "atmosphere",
+        "two-layers",
+    ] {
+        for case in made(name) {
+            let n = 2048;
+            let expected = left_by_ends(&case, n);
+            for degree in [Degree::Quadratic, Degree::Cubic] {
+                let limiter = Limiter::None;
+                let layers = Layers::Bezier(Bezier { degree, limiter });
+                let exact = case.radiance(&FORMAT.ratio(&case.length())).unwrap();
+                let radiance = layers.radiance(&Fresh::new(&case, FORMAT), n).unwrap();
+                let measured = (radiance - &exact).to_float().to_f64();
+                let is_smooth = case.structure().breaks.is_empty();
+                let is_it = (measured / expected - 1.0).abs() < 0.05;
+                assert_eq!(
+                    is_it,
+                    is_smooth,
+                    "{layers} on {}: {measured:e}, {expected:e}",
+                    case.name()
+                );
+                told += 1;
+            }
+        }
+    }
+    assert!(told >= 20);
 }
 
 #[test]
@@ -179,6 +345,13 @@ fn smooth_cases_show_the_orders_expected() {
             };
             let fit = fit(&samples, Some(theory)).unwrap();
             let last = fit.pairs.last().map_or(f64::NAN, |pair| pair.order);
+            let finest = samples[LADDER.len() - 1].error.to_f64().abs();
+            // Nothing is left of what is not seen any more: rules that are exact but for T(D) err below the floor.
+            let depth = case.optical_depth(&case.length().to_f64()).unwrap();
+            let is_below_floor = depth > 60.0 && fit.verdict == Verdict::FloorLimited;
+            if is_below_floor || is_hidden(*method, &case, finest) {
+                continue;
+            }
             if theory != Expected::Unknown {
                 told += 1;
                 confirmed += u32::from(fit.verdict.passes(Some(theory)));
@@ -234,6 +407,7 @@ fn broken_cases_show_the_orders_expected() {
 #[test]
 fn the_logarithmic_mean_has_order_2_where_there_is_emission_and_no_number_where_signs_differ() {
     let methods = [Method::Layered(Layers::Logarithmic)];
+    let finer: Vec<u64> = LADDER.into_iter().chain([2048]).collect();
     let theory = |name: &str| expected(&methods[0], &made(name)[0]);
     assert_eq!(theory("thick"), Expected::Order(2.0));
     // C is 0 at the front.
@@ -241,7 +415,7 @@ fn the_logarithmic_mean_has_order_2_where_there_is_emission_and_no_number_where_
     assert_eq!(theory("emission-cubic"), Expected::Unknown);
     for name in ["linear-transfer", "thick", "rgb-transfer"] {
         for case in made(name) {
-            let run = Run::new(&case, FORMAT, &methods, &LADDER, &Silent).unwrap();
+            let run = Run::new(&case, FORMAT, &methods, &finer, &Silent).unwrap();
             let samples = samples(&case, &run, 0, None).unwrap();
             let fit = fit(&samples, Some(Expected::Order(2.0))).unwrap();
             let passes = fit.verdict.passes(Some(Expected::Order(2.0)));
@@ -306,4 +480,229 @@ fn no_layers_are_refused() {
         ));
         assert!(Method::Layered(layers).check_segments(1).is_ok());
     }
+}
+
+/// Values on 11 layers from a program of its own in mpmath 1.3.0 at 50 digits: the definitions, with
+/// Mⱼ = (j/x) Mⱼ₋₁ − e^(−x) for ∫ uʲ.
+const BY_MPMATH: [(&str, &str, &str); 18] = [
+    (
+        "atmosphere",
+        "layers/bezier-quadratic",
+        "1.450559653903814960516702732418767387851",
+    ),
+    (
+        "atmosphere",
+        "layers/bezier-quadratic-clip",
+        "1.450559653903814960516702732418767387851",
+    ),
+    (
+        "atmosphere",
+        "layers/bezier-quadratic-monotone",
+        "1.456331995027563864755679435820408698948",
+    ),
+    (
+        "atmosphere",
+        "layers/bezier-cubic",
+        "1.450907557003442660050196232939239495655",
+    ),
+    (
+        "atmosphere",
+        "layers/bezier-cubic-clip",
+        "1.450907557003442660050196232939239495655",
+    ),
+    (
+        "atmosphere",
+        "layers/bezier-cubic-monotone",
+        "1.456482223412787486447101417775271849904",
+    ),
+    (
+        "sine-squared",
+        "layers/bezier-quadratic",
+        "0.1342753473444049022834711141323204603099",
+    ),
+    (
+        "sine-squared",
+        "layers/bezier-quadratic-clip",
+        "0.1342566712401982303437037886634697232587",
+    ),
+    (
+        "sine-squared",
+        "layers/bezier-quadratic-monotone",
+        "0.1342800153473588127295448072357095450830",
+    ),
+    (
+        "sine-squared",
+        "layers/bezier-cubic",
+        "0.1342753490097756966381252250909958380029",
+    ),
+    (
+        "sine-squared",
+        "layers/bezier-cubic-clip",
+        "0.1342591833990307931609929824475312900795",
+    ),
+    (
+        "sine-squared",
+        "layers/bezier-cubic-monotone",
+        "0.1342800157265189978726003117274784064878",
+    ),
+    (
+        "kilometres/curved",
+        "layers/bezier-quadratic",
+        "1.150447475273277948808992051999301586413",
+    ),
+    (
+        "kilometres/curved",
+        "layers/bezier-quadratic-clip",
+        "1.149476447865498263377417602107282636548",
+    ),
+    (
+        "kilometres/curved",
+        "layers/bezier-quadratic-monotone",
+        "1.161026114908496538895356341612012887009",
+    ),
+    (
+        "kilometres/curved",
+        "layers/bezier-cubic",
+        "1.150416006740849193720881301747463500854",
+    ),
+    (
+        "kilometres/curved",
+        "layers/bezier-cubic-clip",
+        "1.148456021501326624105121999993721511051",
+    ),
+    (
+        "kilometres/curved",
+        "layers/bezier-cubic-monotone",
+        "1.161493273068742364467027013560551166670",
+    ),
+];
+
+#[test]
+fn bezier_curves_have_the_digits_of_another_program() {
+    let format = Mpfr { bits: 400 };
+    for (name, method, wanted) in BY_MPMATH {
+        let cases = made(name.split('/').next().unwrap());
+        let case = cases.iter().find(|case| case.name() == name).unwrap();
+        let method: Method = method.parse().unwrap();
+        let radiance = method.radiance(&Fresh::new(case, format), 11).unwrap();
+        let wanted = Float::with_val(400, Float::parse(wanted).unwrap());
+        let off = (radiance.to_float() - &wanted).abs();
+        assert!(off < 1e-38, "{method} on {name}: {off}");
+    }
+}
+
+#[test]
+fn one_layer_alone_is_linear_in_depth() {
+    let nodes = |case| Fresh::new(case, Native::<f64>::new());
+    for case in &made("rgb-transfer") {
+        let linear = Layers::Linear.radiance(&nodes(case), 1).unwrap();
+        for layers in Layers::ALL.into_iter().filter(|layers| follows(*layers)) {
+            let radiance = layers.radiance(&nodes(case), 1).unwrap();
+            assert!((radiance - linear).abs() < 1e-15, "{layers}: {radiance}");
+        }
+    }
+}
+
+/// τ and C, sampled: a front that is thin, a jump, and vacuum before and behind.
+#[test]
+fn limited_curves_stay_between_the_samples() {
+    let case = ray(
+        "piecewise(s < 1/4, 0, s < 1/2, 1, s < 3/4, 50, 0)",
+        "piecewise(s < 5/8, 1, 3)",
+        "piecewise(lambda < 1/4, 0, lambda < 1/2, lambda - 1/4, lambda < 3/4, 50*lambda - 99/4, 51/4)",
+        "piecewise(lambda < 1/4, 0, lambda < 1/2, 1 - exp(1/4 - lambda), \
+         lambda < 5/8, 1 - exp(99/4 - 50*lambda), \
+         lambda < 3/4, 1 + 2*exp(-13/2) - 3*exp(99/4 - 50*lambda), 1 + 2*exp(-13/2) - 3*exp(-51/4))",
+    );
+    let nodes = Fresh::new(&case, Native::<f64>::new());
+    for layers in Layers::ALL {
+        let Layers::Bezier(bezier) = layers else {
+            continue;
+        };
+        for n in [2, 3, 8, 9, 64, 129] {
+            let radiance = layers.radiance(&nodes, n).unwrap();
+            let is_limited = bezier.limiter != Limiter::None;
+            // A mean of sources, with weights that are opacities.
+            let is_inside = (0.0..=3.0).contains(&radiance);
+            assert!(
+                radiance.is_finite() && (is_inside || !is_limited),
+                "{layers}, {n}: {radiance}"
+            );
+        }
+        let fine = layers.radiance(&nodes, 4096).unwrap();
+        let exact = case.radiance(&1.0_f64).unwrap();
+        assert!((fine - exact).abs() < 0.02, "{layers}: {fine}, not {exact}");
+    }
+}
+
+#[test]
+fn weights_of_bernstein_s_polynomials_keep_their_digits() {
+    let wide = Mpfr { bits: 400 };
+    let gauss = Rule::GaussLegendre(80).table(400).unwrap();
+    for exponent in -40..7 {
+        let x = 1.37 * 2_f64.powi(exponent);
+        let exact = Float::with_val(400, x);
+        let linear = linear_in_depth(&x);
+        for degree in 0..4_u32 {
+            let weights = bernstein_in_depth(degree as usize, &x);
+            let in_wide = bernstein_in_depth(degree as usize, &wide.binary64(x));
+            assert_eq!(weights.len(), degree as usize + 1);
+            for (i, (got, in_wide)) in (0..).zip(weights.iter().zip(in_wide)) {
+                // 80 nodes leave x^160/160!, far below 400 bits for small x and 1e-40 at 88.
+                let mut wanted = Float::new(400);
+                for (node, weight) in gauss.nodes.iter().zip(&gauss.weights) {
+                    let u = Float::with_val(400, node);
+                    let binomial = rug::Integer::from(degree).binomial(i);
+                    let curve =
+                        u.clone().pow(i) * Float::with_val(400, 1 - &u).pow(degree - i) * binomial;
+                    let passes = Float::exp(-(exact.clone() * &u));
+                    wanted += curve * passes * weight * &exact;
+                }
+                let relative = |of: Float| (of / &wanted - 1_u32).abs().to_f64();
+                let (off, off_wide) = (
+                    relative(Float::with_val(400, *got)),
+                    relative(in_wide.to_float()),
+                );
+                assert!(off < 4e-15, "{degree}, {i} at {x}: {off:e}");
+                assert!(off_wide < 1e-30, "{degree}, {i} at {x}: {off_wide:e}");
+            }
+            if degree == 1 {
+                for (got, wanted) in weights.iter().zip(&linear) {
+                    assert!((got / wanted - 1.0).abs() < 4e-15);
+                }
+            }
+        }
+    }
+}
+
+/// What is the same on every case is one rule under two names.
+#[test]
+fn every_two_rules_are_told_apart_on_some_case() {
+    let tagged = |name: &&str| {
+        let description = catalogue::find(name).unwrap().unwrap();
+        description.tags.iter().any(|tag| tag == "layers")
+    };
+    let cases: Vec<SymbolicCase> = catalogue::names().filter(tagged).flat_map(made).collect();
+    let mut apart = vec![vec![false; Layers::ALL.len()]; Layers::ALL.len()];
+    for case in &cases {
+        for n in [9, 33, 129] {
+            let errors = Layers::ALL.map(|layers| error(layers, case, n, FORMAT).to_f64());
+            for (i, a) in errors.iter().enumerate() {
+                for (j, b) in errors.iter().enumerate() {
+                    let (low, high) = (a.min(*b), a.max(*b));
+                    // What is exact is apart from what is not, and no two that are.
+                    apart[i][j] |= high > 1e-15 && high > 1.5 * low;
+                }
+            }
+        }
+    }
+    let mut alike = Vec::new();
+    for (i, a) in Layers::ALL.iter().enumerate() {
+        for (j, b) in Layers::ALL.iter().enumerate().skip(i + 1) {
+            if !apart[i][j] {
+                alike.push(format!("{a} and {b}"));
+            }
+        }
+    }
+    assert!(alike.is_empty(), "{}", alike.join(", "));
 }

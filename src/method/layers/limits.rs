@@ -12,13 +12,28 @@
 //! whole own:          −x² C/2
 //! ```
 //!
-//! so that all sum up to O(d²), but the whole own voxel to O(d). With depths that are exact, rules between ends are exact
-//! where C is constant, and the linear one where C is linear in t; voxels never are.
+//! so that all sum up to O(d²), but the whole own voxel to O(d).
+//!
+//! Bézier curves of both degrees have the integral d (f + b)/2 + d² (f′f − f′b)/12, the trapezoid rule with the first
+//! correction of Euler and Maclaurin, for any derivatives: in the sum those of inner places cancel, but for what the
+//! weights differ, O(d⁴) for derivatives of order 2 (and O(d⁴) where a monotone one is 0 in a few places). At the ends of the
+//! ray the derivative is a slope, off by d f″/2. That leaves O(d³),
+//!
+//! ```text
+//! d³/24 [τ″ (C − I) + C″ τ − C′ τ′] in front and d³/24 T [τ″ C + C″ τ − C′ τ′] at the far end
+//! ```
+//!
+//! with derivatives along the ray. A point that is cut off, beside an extremum, moves one curve by O(d²) and the sum by
+//! O(d³), but how much depends on where in its layer the extremum lies: errors scatter, and theory says nothing.
+//!
+//! With depths that are exact, rules between ends and curves are exact where C is constant, and the linear one and
+//! curves where C is linear in t; voxels never are.
 //!
 //! A break inside a layer is met as by the rule that looks at the same places; but where C and τ both jump the product
-//! of two means is no mean of products, nor is a logarithmic mean one: there the order is 1 wherever the jump is.
+//! of two means is no mean of products, nor is a logarithmic mean one: there the order is 1 wherever the jump is. Curves
+//! err by O(d^(1+α)) wherever the break lies: on a node too, since one derivative there is none of both sides'.
 
-use super::Layers;
+use super::{Layers, Limiter};
 use crate::case::{Break, Structure};
 use crate::method::breaks::Meeting;
 use crate::method::limit::{Limit, Part};
@@ -58,6 +73,8 @@ impl Layers {
             }
             Layers::Middle => (Rule::Trapezoid, Rule::Midpoint),
             Layers::HalfOwn | Layers::WholeOwn => (Rule::Midpoint, Rule::Midpoint),
+            // As for what is exact, and what a break leaves of it.
+            Layers::Bezier(_) => (Rule::Trapezoid, Rule::Trapezoid),
         }
     }
 
@@ -67,7 +84,8 @@ impl Layers {
         let degree = structure.extinction_degree();
         let depth_is_exact = degree.is_some_and(|degree| degree <= depth.degree() as usize);
         let emission_is_constant = structure.emission_is_constant();
-        let is_linear = self == Layers::Linear && emission_is_linear(structure);
+        let follows_depth = matches!(self, Layers::Linear | Layers::Bezier(_));
+        let is_linear = follows_depth && emission_is_linear(structure);
         if depth_is_exact && (emission_is_constant || is_linear) {
             return None;
         }
@@ -78,8 +96,11 @@ impl Layers {
             && !emission_is_constant
             && !structure.along.emission_has_no_zero;
         let part = Part::LayerSource;
-        Some(if may_cancel || may_vanish {
+        let scatters = matches!(self, Layers::Bezier(bezier) if bezier.limiter == Limiter::Clip);
+        Some(if may_cancel || may_vanish || scatters {
             Limit::unknown(part)
+        } else if let Layers::Bezier(_) = self {
+            Limit::new(part, 3.0)
         } else {
             Limit::new(part, 2.0)
         })
@@ -88,7 +109,11 @@ impl Layers {
     /// What the attenuation of a layer's light by the layer itself leaves.
     fn own_attenuation(self) -> Option<Limit> {
         let order = match self {
-            Layers::Linear | Layers::Mean | Layers::Logarithmic | Layers::HalfCells => return None,
+            Layers::Linear
+            | Layers::Mean
+            | Layers::Logarithmic
+            | Layers::HalfCells
+            | Layers::Bezier(_) => return None,
             Layers::Middle | Layers::HalfOwn => 2.0,
             Layers::WholeOwn => 1.0,
         };
@@ -102,7 +127,11 @@ impl Layers {
             .all(|power| power.as_ref().is_some_and(|power| *power == 0));
         let means = matches!(self, Layers::Linear | Layers::Mean | Layers::Logarithmic);
         let product = (means && both_jump).then(|| Limit::new(Part::SourceBreak, 1.0));
-        let limit = |part, power: &_, rule| {
+        let limit = |part, power: &Rational, rule| {
+            if let Layers::Bezier(_) = self {
+                // Wherever it lies: derivatives on either side are not those of both.
+                return Some(Limit::new(part, 1.0 + power.to_f64()));
+            }
             let meeting = Meeting::of(place, power, ladder);
             meeting.allows(Some(rule), 1, false).limit(part)
         };

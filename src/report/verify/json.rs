@@ -7,7 +7,7 @@ use crate::identify::Together;
 use crate::kernel::{KernelError, Quantity, Rendering};
 use crate::report::{ReportError, identify};
 use crate::study::verify::{
-    self as standing, Acceptance, Axis, Identified, Line, Measured, Verification,
+    self as standing, Acceptance, Axis, Beyond, Identified, Line, Measured, Verification,
 };
 use rug::Float;
 use serde::Serialize;
@@ -155,6 +155,9 @@ struct Row<'a> {
     largest_error: Option<f64>,
     #[serde(skip_serializing_if = "Vec::is_empty")]
     remarks: Vec<String>,
+    /// From where on levels do not show an order of three or more.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    beyond: Option<Beyond>,
     steady: bool,
     failures: Vec<Failure>,
     #[serde(skip_serializing_if = "Option::is_none")]
@@ -328,6 +331,7 @@ fn row(line: &Line) -> Row<'_> {
         unproved: &line.unproved,
         largest_error: line.largest_error().filter(|error| error.is_finite()),
         remarks: said.collect(),
+        beyond: line.beyond(),
         steady: line.steady,
         failures: failures.collect(),
         fit,

@@ -33,8 +33,8 @@ use crate::study::verify::{Conclusion, Line, Measured, Remark, Standing, Verific
 #[cfg(feature = "studies")]
 use std::path::{Path, PathBuf};
 use words::{
-    BLIND, SIGNS, axis, conclusion, failure, failures, findings, floor, largest, not_declared,
-    order, theory, unresolved, window,
+    BLIND, SIGNS, axis, beyond, conclusion, failure, failures, findings, floor, largest,
+    not_declared, order, theory, unresolved, window,
 };
 
 /// Channels that a terminal names of one finding.
@@ -152,6 +152,7 @@ fn said_by_values(verification: &Verification) -> Vec<Block> {
     let said = not_declared(verification).into_iter().map(Block::Finding);
     let found = [(NAMED, Medium::Terminal), (usize::MAX, Medium::Written)].map(|(most, medium)| {
         let found = findings(verification, most).into_iter();
+        let found = found.chain(beyond(verification, most));
         found.map(move |found| Block::Finding(found).only(medium))
     });
     said.chain(found.into_iter().flatten())

@@ -5,8 +5,10 @@ use crate::document::{Finding, Tone};
 use crate::kernel::Quantity;
 use crate::method::Expected;
 use crate::study::verify::{
-    Axis, Conclusion, Counts, Line, MISSING, Measured, Standing, Steps, Verification,
+    Axis, Beyond, Conclusion, Counts, Line, MISSING, Measured, Standing, Steps, TakesOver,
+    Verification,
 };
+use std::collections::BTreeMap;
 
 /// What stands where there is no figure.
 pub(super) const NONE: &str = "-";
@@ -247,6 +249,32 @@ pub(super) fn findings(verification: &Verification, most: usize) -> Vec<Finding>
         Finding::new(label, format!("{} ({channels})", found.words)).toned(tone)
     });
     findings.collect()
+}
+
+/// Where something else takes over from discretization of a high order: finer levels do not show it.
+pub(super) fn beyond(verification: &Verification, most: usize) -> Vec<Finding> {
+    let mut places: BTreeMap<Beyond, Vec<&str>> = BTreeMap::new();
+    for line in &verification.lines {
+        if let Some(beyond) = line.beyond() {
+            places.entry(beyond).or_default().push(&line.name);
+        }
+    }
+    let said = places.into_iter().map(|(Beyond { n, by }, names)| {
+        let (label, takes_over) = match by {
+            TakesOver::Rounding => ("rounding", "rounding takes over"),
+            TakesOver::Other => (
+                "levels off",
+                "more than rounding stays (a series, a table, a short constant)",
+            ),
+        };
+        let names = if names.len() > most {
+            format!("{} channels", names.len())
+        } else {
+            names.join(", ")
+        };
+        Finding::new(label, format!("finer than n = {n} {takes_over} in {names}"))
+    });
+    said.collect()
 }
 
 /// Why a verification is not confirmed, or what makes it so.

@@ -26,7 +26,7 @@ pub struct Baseline {
     pub volver_baseline: u32,
     /// The kernel's name.
     pub kernel: String,
-    /// Which cases, as they were asked for; none for all of the catalogue.
+    /// Which cases, as they were asked for; none for all of the catalogue, as it was then.
     pub cases: Vec<String>,
     /// The levels.
     pub ladder: Vec<u64>,
@@ -310,6 +310,23 @@ impl Baseline {
             replicas: Settings::replicas(self.replicas).map_err(wrong("replicas"))?,
             ..ladder.map_err(wrong("ladder"))?
         })
+    }
+
+    /// The cases to ask again: those asked for; where that was all of the catalogue, those that it had.
+    #[must_use]
+    pub fn asked(&self) -> Vec<String> {
+        if !self.cases.is_empty() {
+            return self.cases.clone();
+        }
+        let mut asked: Vec<String> = Vec::new();
+        for line in &self.lines {
+            // Behind the case its channel, or another quantity.
+            let case = line.name.split(['/', ':']).next().unwrap_or_default();
+            if !asked.iter().any(|known| known == case) {
+                asked.push(case.into());
+            }
+        }
+        asked
     }
 
     /// What has moved since.

@@ -5,6 +5,7 @@ mod asked;
 mod background;
 #[cfg(feature = "studies")]
 mod baseline;
+mod beyond;
 mod expectation;
 mod explain;
 mod identified;
@@ -26,6 +27,7 @@ pub(in crate::study) use truth::wall_opacity;
 pub use accept::{Acceptance, Accepted, AcceptedError};
 #[cfg(feature = "studies")]
 pub use baseline::{Baseline, BaselineDeviation, BaselineError, BaselineLine, BaselinePart, Moved};
+pub use beyond::{Beyond, TakesOver};
 pub use explain::Finding;
 pub use identified::{Identified, Identify};
 pub use line::{Failure, Line, Measured};

@@ -35,10 +35,10 @@ fn the_files_are_what_the_program_writes() {
         .assert()
         .code(0)
         .stdout(predicate::str::contains(
-            "50 cases: 0 proved, 0 failed, 35 not checked, 15 not stated\n",
+            "62 cases: 0 proved, 0 failed, 46 not checked, 16 not stated\n",
         ));
     let written = files(&folder.path().join("cases"));
-    assert_eq!(written.len(), 35);
+    assert_eq!(written.len(), 46);
     assert_eq!(written, files(&proofs().join("cases")));
 }
 

@@ -45,7 +45,7 @@ const STATED: [&str; 29] = [
 
 /// Methods whose nodes are not all at the ends and in the middle of one segment, whose T is no product, or whose
 /// radiance is no sum of emissions.
-const UNSTATED: [&str; 12] = [
+const UNSTATED: [&str; 14] = [
     "simpson/simpson",
     "trapezoid/boole",
     "gauss-3/trapezoid",
@@ -58,6 +58,8 @@ const UNSTATED: [&str; 12] = [
     "riemann-left/riemann-left/cubic",
     "preintegrated/linear/linear",
     "layers/logarithmic",
+    "layers/bezier-quadratic",
+    "layers/bezier-cubic-monotone",
 ];
 
 const CASES: [&str; 5] = ["thick", "cloud", "sine-squared", "emission-bump", "faint"];

@@ -177,6 +177,21 @@ fn cases_that_come_and_go_are_said() {
     assert!(came.better);
 }
 
+/// What came into the catalogue since is not asked.
+#[test]
+fn a_baseline_of_all_of_the_catalogue_asks_its_own_cases() {
+    let settings = settings("8..256");
+    let of_two = verified(
+        &subjects(&["rgb-transfer", "sine-squared"]),
+        &settings,
+        same,
+    );
+    let asked = |cases: &[String]| Baseline::new(&of_two, cases).asked();
+    assert_eq!(asked(&[]), ["rgb-transfer", "sine-squared"]);
+    let by_tag = ["@paper".to_string()];
+    assert_eq!(asked(&by_tag), by_tag);
+}
+
 /// Half of the emission, which a baseline has recorded; a third is another deviation.
 #[test]
 fn deviations_that_were_recorded_pass_as_long_as_they_stay() {

@@ -72,6 +72,12 @@ fn smooth_cases_show_the_orders_expected() {
             assert_eq!(theory, expected(method, &case));
             let fit = fit(&samples(&case, &run, m, None).unwrap(), Some(theory)).unwrap();
             let last = fit.pairs.last().map_or(f64::NAN, |pair| pair.order);
+            // Exact but for what is left of the transmittance, here below the floor of 2⁻⁸¹: where C is constant, and where
+            // it is linear and τ the same everywhere for linear opacities with samples at the back, Σ x (1 − x)ⁱ x (i + 1) = 1.
+            let depth = case.optical_depth(&case.length().to_f64()).unwrap();
+            if depth > 60.0 && error(method, &case, 2048).abs() < 2_f64.powi(-80) {
+                continue;
+            }
             all += 1;
             confirmed += u32::from(fit.verdict.passes(Some(theory)));
             // Not 0, but too small to be seen beside the next order.

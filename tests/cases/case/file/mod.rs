@@ -77,7 +77,7 @@ fn the_catalogue_is_read() {
             Recipe::Claimed
         ]
         .map(count),
-        [5, 22, 23]
+        [5, 34, 23]
     );
 }
 
