@@ -12,6 +12,7 @@
 //! | [`process`] | a program that talks JSON lines (`docs/protocol.md`) |
 //! | [`library`] | a shared library with the C interface of `include/volver.h` |
 
+mod accuracy;
 mod built_in;
 mod closure;
 mod cut;
@@ -22,6 +23,7 @@ mod gridded;
 pub mod library;
 mod made_up;
 mod medium;
+mod pieces;
 pub mod process;
 mod quantity;
 mod rendering;
@@ -29,6 +31,7 @@ mod subject;
 mod task;
 mod volume;
 
+pub use accuracy::{Quantum, UlpBound, UlpBoundError};
 pub use built_in::BuiltIn;
 pub(crate) use built_in::radiance_in;
 pub use closure::Closure;

@@ -2,6 +2,7 @@
 
 mod ask;
 mod baseline;
+mod declares;
 mod help;
 mod kernels;
 mod new;

@@ -8,6 +8,7 @@ mod abi;
 mod declared;
 mod tables;
 
+use super::pieces::{in_pieces, one};
 use super::{Data, Declaration, Kernel, KernelError, Quantity, Rendering, Task, Volume};
 use abi::{Failure, Functions};
 use rug::Float;
@@ -60,6 +61,19 @@ impl Kernel for LibraryKernel {
     }
 
     fn render(&mut self, task: &Task<'_>) -> Result<Rendering, KernelError> {
+        one(self.render_all(std::slice::from_ref(task)))
+    }
+
+    fn render_all(&mut self, tasks: &[Task<'_>]) -> Vec<Result<Rendering, KernelError>> {
+        in_pieces(self.declaration.channels, tasks, |tasks| {
+            tasks.iter().map(|task| self.whole(task)).collect()
+        })
+    }
+}
+
+impl LibraryKernel {
+    /// The answer to a ray of as many channels as are declared.
+    fn whole(&self, task: &Task<'_>) -> Result<Rendering, KernelError> {
         let (given, wanted) = (task.data.kind(), self.declaration.form);
         if given != wanted {
             return Err(KernelError::Form { given, wanted });

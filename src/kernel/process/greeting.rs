@@ -1,5 +1,7 @@
 //! What a kernel says of itself, and how it wants to be talked to.
 
+mod accuracy;
+
 use super::message::{
     Arrays, Form, HelloTag, KernelHello, VolverHello, WireLanguage, WireQuantity, WireStep,
 };
@@ -72,6 +74,7 @@ fn greeting(version: u64, hello: KernelHello) -> Result<Greeting, String> {
     if hello.gradient.is_some() && version < SECOND {
         return Err(of_second("gradient", version));
     }
+    let exact = accuracy::of(version, &hello)?;
     let answers = answers(version, hello.answers)?;
     let expected_depth = match hello.expected_depth {
         None => DepthWeights::default(),
@@ -115,12 +118,11 @@ fn greeting(version: u64, hello: KernelHello) -> Result<Greeting, String> {
             .method
             .map(|name| named("method", &name))
             .transpose()?,
-        order: above_zero("order", hello.order)?,
+        order: above_zero("order", hello.order.as_ref())?,
         format: match hello.format {
             Some(name) => named("format", &name)?,
             None => FormatName::F64,
         },
-        quantum: above_zero("quantum", hello.quantum)?,
         stochastic: hello.stochastic,
         sampling: hello.sampling.map(Into::into),
         step_divides: hello.step.is_some_and(|WireStep::Divides| true),
@@ -133,6 +135,7 @@ fn greeting(version: u64, hello: KernelHello) -> Result<Greeting, String> {
         background: hello.background.unwrap_or(false),
         answers,
         expected_depth,
+        ..exact
     };
     Ok(Greeting {
         version,
@@ -170,7 +173,7 @@ fn named<T: FromStr<Err: Display>>(key: &str, name: &str) -> Result<T, String> {
     name.parse().map_err(|error| format!("{key}: {error}"))
 }
 
-fn above_zero(key: &str, number: Option<Number>) -> Result<Option<f64>, String> {
+fn above_zero(key: &str, number: Option<&Number>) -> Result<Option<f64>, String> {
     let Some(number) = number else {
         return Ok(None);
     };
@@ -193,7 +196,15 @@ impl Greeting {
             ("method", a.method == b.method),
             ("order", a.order == b.order),
             ("format", a.format == b.format),
+            ("output", a.output == b.output),
             ("quantum", a.quantum == b.quantum),
+            ("exp_ulp", a.exp_ulp == b.exp_ulp),
+            ("expm1_ulp", a.expm1_ulp == b.expm1_ulp),
+            ("pow_ulp", a.pow_ulp == b.pow_ulp),
+            ("subnormals", a.subnormals_lost == b.subnormals_lost),
+            ("noise", a.noise == b.noise),
+            ("channels", a.channels == b.channels),
+            ("emission", a.positive_emission == b.positive_emission),
             ("stochastic", a.stochastic == b.stochastic),
             ("sampling", a.sampling == b.sampling),
             ("step", a.step_divides == b.step_divides),

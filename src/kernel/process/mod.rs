@@ -33,6 +33,7 @@ pub use schema::schema;
 pub use spoken::{answer, greeting, request};
 pub use written::Numbers;
 
+use super::pieces::{in_pieces, one};
 use super::{Declaration, Gradient, Kernel, KernelError, Rendering, Task};
 use child::Child;
 use files::Files;
@@ -120,6 +121,24 @@ impl ProcessKernel {
                 singly.flat_map(|task| self.results(&[task])).collect()
             }
         }
+    }
+
+    /// The results of tasks of as many channels as are declared, in any form.
+    fn whole(&mut self, tasks: &[Task<'_>]) -> Vec<Result<Rendering, KernelError>> {
+        let wanted = self.greeting.declaration.form;
+        let fits = |task: &&Task<'_>| task.data.kind() == wanted;
+        let fitting: Vec<&Task<'_>> = tasks.iter().filter(fits).collect();
+        let results = match fitting.as_slice() {
+            [] => Vec::new(),
+            fitting => self.results(fitting),
+        };
+        let mut results = results.into_iter();
+        let mut result = |task: &Task<'_>| {
+            let given = task.data.kind();
+            let fitting = (given == wanted).then(|| results.next()).flatten();
+            fitting.unwrap_or(Err(KernelError::Form { given, wanted }))
+        };
+        tasks.iter().map(&mut result).collect()
     }
 
     /// Asks, unless it was in vain too often.
@@ -263,28 +282,13 @@ impl Kernel for ProcessKernel {
     }
 
     fn render(&mut self, task: &Task<'_>) -> Result<Rendering, KernelError> {
-        let mut results = self.render_all(std::slice::from_ref(task));
-        // One task, one result.
-        results
-            .pop()
-            .unwrap_or(Err(KernelError::Channels { got: 0, wanted: 1 }))
+        one(self.render_all(std::slice::from_ref(task)))
     }
 
     fn render_all(&mut self, tasks: &[Task<'_>]) -> Vec<Result<Rendering, KernelError>> {
-        let wanted = self.greeting.declaration.form;
-        let fits = |task: &&Task<'_>| task.data.kind() == wanted;
-        let fitting: Vec<&Task<'_>> = tasks.iter().filter(fits).collect();
-        let results = match fitting.as_slice() {
-            [] => Vec::new(),
-            fitting => self.results(fitting),
-        };
-        let mut results = results.into_iter();
-        let mut result = |task: &Task<'_>| {
-            let given = task.data.kind();
-            let fitting = (given == wanted).then(|| results.next()).flatten();
-            fitting.unwrap_or(Err(KernelError::Form { given, wanted }))
-        };
-        tasks.iter().map(&mut result).collect()
+        in_pieces(self.declaration().channels, tasks, |tasks| {
+            self.whole(tasks)
+        })
     }
 
     fn gradient(

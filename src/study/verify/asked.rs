@@ -1,5 +1,6 @@
 //! What a kernel is asked on one case.
 
+mod allowance;
 mod answered;
 mod floor;
 mod resolved;

@@ -8,6 +8,7 @@ mod baseline;
 mod expectation;
 mod explain;
 mod identified;
+mod left_out;
 mod line;
 mod nominal;
 pub(crate) mod peers;
@@ -64,6 +65,8 @@ pub struct Verification {
     pub identification: Option<Identified>,
     /// What else was found, with the channels that show it.
     pub findings: Vec<Finding>,
+    /// Cases that were not asked, since the kernel declares that it does not take them.
+    pub left_out: Vec<String>,
     /// So many seeds had answers of their own; `None` for a deterministic kernel.
     pub different_seeds: Option<usize>,
 }
@@ -270,7 +273,9 @@ pub fn verify(
     let declaration = kernel.declaration().clone();
     declaration.check()?;
     let settings = &settings.suited(&declaration)?;
-    let subjects = &background::before(subjects, &declaration, settings)?[..];
+    let subjects = background::before(subjects, &declaration, settings)?;
+    let (subjects, left_out) = left_out::sorted(subjects, &declaration, settings);
+    let subjects = &subjects[..];
     let mut lines = Vec::new();
     let mut unanswered = 0;
     let mut seeds = Seeds::new(settings.replicas);
@@ -313,7 +318,8 @@ pub fn verify(
     let identification =
         (identifies && answers).then(|| identified(kernel, settings, &ladder, &lines, progress));
     let unsteady = explain::unsteady(&declaration, &lines).into_iter();
-    let findings = unsteady.chain(explain::outside(&lines)).collect();
+    let found = unsteady.chain(explain::outside(&lines));
+    let findings = found.chain(left_out::finding(&left_out)).collect();
     let different_seeds = declaration.stochastic.then(|| seeds.different());
     let mut verification = Verification {
         declaration,
@@ -321,6 +327,7 @@ pub fn verify(
         lines,
         identification,
         findings,
+        left_out,
         different_seeds,
     };
     let scattered = scattered::findings(&verification);

@@ -3,7 +3,7 @@
 use super::{ask, cell, digits, expm1, faults, march, method, of, order};
 use rug::Float;
 use volver::kernel::{
-    Declaration, DepthWeights, Kernel, KernelError, Quantity, Rendering, Segments, Task,
+    Declaration, DepthWeights, Kernel, KernelError, Quantity, Quantum, Rendering, Segments, Task,
 };
 use volver::study::extremes::Answer;
 
@@ -165,7 +165,7 @@ fn walls_are_what_they_are_declared() {
 fn quanta_are_allowed_where_they_are_declared() {
     let rounded = |s: &Segments| (march(s, |tau| tau, expm1) * 255.0).round() / 255.0;
     let declaration = Declaration {
-        quantum: Some(1.0 / 255.0),
+        quantum: Some(Quantum::Absolute(1.0 / 255.0)),
         ..order()
     };
     assert_eq!(faults(&of(declaration, rounded)), [""; 0]);

@@ -92,7 +92,7 @@ impl Asked<'_> {
                 Err(error) => failures.push(Failure::new(spot.count, error)),
             }
         }
-        let steady = is_steady(wanted, answers);
+        let steady = is_steady(wanted, answers, self.declaration.noise);
         let is_compared = steady && failures.is_empty() && self.is_compared(&radiances);
         let all: Option<Vec<bool>> = as_declared.into_iter().collect();
         let all = all.filter(|all| is_compared && !all.is_empty());
@@ -125,7 +125,9 @@ impl Asked<'_> {
     ) -> Result<Looked, VerifyError> {
         let used = renderings.first().map(|first| self.used(level, first));
         let cut = used.unwrap_or(level.cut);
-        let segments = wanted.lit(self.segments(level, cut)?);
+        let segments = self.segments(level, cut)?;
+        let brightest = Self::brightest(level, &segments);
+        let segments = wanted.lit(segments);
         let channel = wanted.channel;
         let uniform = match cut {
             Cut::Segments(n) => Some(n),
@@ -145,7 +147,8 @@ impl Asked<'_> {
         let values = renderings.iter().filter_map(|one| wanted.of(one).cloned());
         let values: Vec<Float> = values.collect();
         let (n, step) = self.coordinate(level, count, given.step);
-        let mut floor = self.floor(wanted, exact, level, nominal.as_ref(), &given);
+        let allowance = self.allowance(wanted, exact, &given, brightest);
+        let mut floor = self.floor(wanted, exact, level, nominal.as_ref(), &given, allowance);
         floor += self.not_refined(level, &given)? + of_tables;
         // Of a volume a method that is no rule has not the samples.
         let has_samples =
@@ -153,8 +156,8 @@ impl Asked<'_> {
         let model = nominal.as_ref().filter(|_| has_samples).zip(values.first());
         let scale = exact.to_f64().abs();
         let as_declared = model.map(|(nominal, value)| {
-            let quantum = self.quantum(wanted);
-            nominal.agrees(value.to_f64(), scale, &given, self.declaration, quantum)
+            let allowance = allowance.whole();
+            nominal.agrees(value.to_f64(), scale, &given, self.declaration, allowance)
         });
         let middles = if self.declaration.stochastic {
             sampled::by_middles(wanted, &segments, given.step, channel)
@@ -173,6 +176,7 @@ impl Asked<'_> {
                 step,
                 values,
                 floor,
+                stored: allowance.stored,
                 nominal,
                 reported: reported.collect(),
             },
@@ -200,12 +204,6 @@ impl Asked<'_> {
             }
             _ => None,
         }
-    }
-
-    /// What answers are multiples of: radiances, and opacities, which are stored beside them.
-    pub(super) fn quantum(&self, wanted: &Wanted) -> Option<f64> {
-        let stored = matches!(wanted.quantity, Quantity::Radiance | Quantity::Opacity);
-        self.declaration.quantum.filter(|_| stored)
     }
 
     /// The methods that a channel is measured by: the declared one, or those of the declared order on rays that these can
@@ -248,12 +246,11 @@ impl Asked<'_> {
 
     /// As [`Line::right_to_quantum`].
     fn right_to_quantum(
-        &self,
-        wanted: &Wanted,
+        quantum: Option<f64>,
         levels: &[(u64, Sample)],
         peers: &[Peer],
     ) -> Option<bool> {
-        let quantum = self.quantum(wanted)?;
+        let quantum = quantum?;
         let size = |sample: &Sample| sample.error.to_f64().abs();
         let (_, finest) = levels.last()?;
         let of_peers = peers
@@ -302,6 +299,7 @@ impl Asked<'_> {
             error,
         };
         let levels = radiances.counted_samples();
+        let quantum = radiances.quantum();
         let peers = self.peers(wanted, &radiances, &levels, expected);
         let peers = peers.map_err(fit_error)?;
         let beside = spots.counted_samples();
@@ -339,7 +337,7 @@ impl Asked<'_> {
             failures,
             is_required: peers.all_show(expected),
             is_as_good: seen.last().is_some_and(Seen::is_as_good),
-            right_to_quantum: self.right_to_quantum(wanted, &levels, peers.all()),
+            right_to_quantum: Self::right_to_quantum(quantum, &levels, peers.all()),
             remarks,
             steady,
             reported,
@@ -349,13 +347,20 @@ impl Asked<'_> {
 }
 
 /// Whether a kernel answers the same twice: one that draws random numbers to the same seed.
-fn is_steady(wanted: &Wanted, answers: &Answers) -> bool {
+fn is_steady(wanted: &Wanted, answers: &Answers, noise: Option<f64>) -> bool {
     let first = answers.levels.first().and_then(|level| level.first());
     match (first, &answers.again) {
         (Some(Ok(first)), Some(Ok(again))) => {
             let (first, again) = (wanted.of(first), wanted.of(again));
             let are_none = |one: Option<&Float>| one.is_some_and(Float::is_nan);
-            first == again || (are_none(first) && are_none(again))
+            // Both are off by no more than that.
+            let is_noise = |noise: f64| {
+                let both = first.zip(again);
+                both.is_some_and(|(first, again)| {
+                    Float::with_val(first.prec(), first - again).abs() <= 2.0 * noise
+                })
+            };
+            first == again || (are_none(first) && are_none(again)) || noise.is_some_and(is_noise)
         }
         _ => true,
     }
