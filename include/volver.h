@@ -128,6 +128,9 @@ typedef struct volver_declaration {
   uint32_t channels;
   /* Not 0: it takes no emission below 0, and is asked none. 0. */
   int32_t positive_emission;
+  /* Not 0, with the form "segments": the emission that it is given is the source term C tau, per unit of length. It is
+   * then asked rays that emit and do not absorb, too. 0. */
+  int32_t source_per_length;
 } volver_declaration;
 
 /* The medium along the ray, as a function. */

@@ -47,7 +47,8 @@ impl<F: FnMut(&Task<'_>, usize) -> f64 + Send> Kernel for Closure<F> {
     }
 
     fn render_all(&mut self, tasks: &[Task<'_>]) -> Vec<Result<Rendering, KernelError>> {
-        in_pieces(self.declaration.channels, tasks, |tasks| {
+        let declaration = self.declaration.clone();
+        in_pieces(&declaration, tasks, |tasks| {
             tasks.iter().map(|task| self.whole(task)).collect()
         })
     }

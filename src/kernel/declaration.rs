@@ -1,7 +1,7 @@
 //! What a kernel says of itself.
 
 use super::GradientAt;
-use super::{DepthWeights, FormKind, Quantity, Quantum, UlpBound};
+use super::{DepthWeights, FormKind, Quantity, Quantum, Source, UlpBound};
 use crate::method::{Expected, Method, Position};
 use crate::real::FormatName;
 use std::fmt;
@@ -46,6 +46,8 @@ pub struct Declaration {
     pub channels: Option<NonZeroUsize>,
     /// It takes no negative emission, and is asked none.
     pub positive_emission: bool,
+    /// What it is given for emission.
+    pub source: Source,
     /// Monte Carlo: the answer depends on the seed, and scatters.
     pub stochastic: bool,
     /// Where it samples a segment, where the method does not say.
@@ -86,6 +88,7 @@ impl Declaration {
             noise: None,
             channels: None,
             positive_emission: false,
+            source: Source::Depth,
             stochastic: false,
             sampling: None,
             step_divides: false,
@@ -97,10 +100,15 @@ impl Declaration {
         }
     }
 
-    /// Whether it says that it answers that.
+    /// Whether it says that it answers that; the emission is a radiance, of a source per length.
     #[must_use]
     pub fn has(&self, quantity: Quantity) -> bool {
-        self.answers.contains(&quantity)
+        match quantity {
+            Quantity::Emission => {
+                self.source == Source::Length && self.answers.contains(&Quantity::Radiance)
+            }
+            _ => self.answers.contains(&quantity),
+        }
     }
 
     /// The first in the order of reports of what it answers.
@@ -130,6 +138,17 @@ impl Declaration {
         }
         if self.gradient.is_some() && self.channels.is_some() {
             return Err(DeclarationError::GradientInPieces);
+        }
+        if self.source == Source::Length {
+            if self.form != FormKind::Segments {
+                return Err(DeclarationError::SourceOfForm { form: self.form });
+            }
+            if self.gradient.is_some() {
+                return Err(DeclarationError::GradientOfSource);
+            }
+            if self.far_wall {
+                return Err(DeclarationError::SourceOfWall);
+            }
         }
         let Some(method) = self.method else {
             return Ok(());
@@ -220,6 +239,20 @@ pub enum DeclarationError {
         "it declares a gradient and how many channels a ray has to have (allowed: one of the two)"
     )]
     GradientInPieces,
+    /// A source per length where no segments are given.
+    #[error("it declares a source per length and the form {form} (allowed: segments)")]
+    SourceOfForm {
+        /// The form.
+        form: FormKind,
+    },
+    /// Derivatives by a source per length.
+    #[error("it declares a gradient and a source per length (allowed: one of the two)")]
+    GradientOfSource,
+    /// A wall that nothing absorbs in front of.
+    #[error(
+        "it declares a far wall and a source per length, which has no end there (allowed: one of the two)"
+    )]
+    SourceOfWall,
     /// Another order than the method's.
     #[error(
         "it declares order {declared} and method '{method}', which has order {own} (allowed: {own}, or one of the two)"

@@ -27,6 +27,7 @@ mod pieces;
 pub mod process;
 mod quantity;
 mod rendering;
+mod source;
 mod subject;
 mod task;
 mod volume;
@@ -43,6 +44,7 @@ pub use gridded::Gridded;
 pub use medium::Medium;
 pub use quantity::{DepthWeights, Quantity};
 pub use rendering::Rendering;
+pub use source::Source;
 pub use subject::{Subject, SubjectError};
 pub use task::{Data, FormKind, Formula, Samples, Segments, Table, Task, Volume};
 

@@ -1,6 +1,9 @@
-//! Rays of as many channels as a kernel takes, and their answers joined.
+//! Rays as a kernel takes them, of so many channels and with the source per depth or length, and their answers joined.
 
-use super::{Data, KernelError, Medium, Rendering, Samples, Segments, Table, Task, Volume};
+use super::{
+    Data, Declaration, KernelError, Medium, Rendering, Samples, Segments, Source, Table, Task,
+    Volume,
+};
 use crate::case::SymbolicCase;
 use rug::Rational;
 use std::num::NonZeroUsize;
@@ -21,8 +24,12 @@ struct Piece<'a> {
 }
 
 impl<'a> Piece<'a> {
-    fn new(whole: &'a Task<'a>, first: usize, count: usize) -> Self {
+    fn new(whole: &'a Task<'a>, first: usize, count: usize, source: Source) -> Self {
         let subject = whole.subject;
+        let samples = |all: &Samples, channels: &[usize]| match source {
+            Source::Length if !subject.is_per_length() => per_length(samples(all, channels)),
+            Source::Length | Source::Depth => samples(all, channels),
+        };
         let last = subject.channels().len().saturating_sub(1);
         let channels: Vec<usize> = (first..first + count).map(|k| k.min(last)).collect();
         let segments = match whole.data {
@@ -84,6 +91,25 @@ fn samples(all: &Samples, channels: &[usize]) -> Samples {
     }
 }
 
+/// With C τ in place of C.
+fn per_length(all: Samples) -> Samples {
+    let Samples {
+        lambda,
+        extinction,
+        mut emission,
+    } = all;
+    for row in &mut emission {
+        for (c, tau) in row.iter_mut().zip(&extinction) {
+            *c *= tau;
+        }
+    }
+    Samples {
+        lambda,
+        extinction,
+        emission,
+    }
+}
+
 impl Medium for Piece<'_> {
     fn name(&self) -> &str {
         self.whole.subject.name()
@@ -116,24 +142,29 @@ impl Medium for Piece<'_> {
     }
 }
 
-/// The answers to tasks of any number of channels by a kernel that takes tasks of `count`.
+/// The answers to any tasks by a kernel that takes those that it declares.
 pub(super) fn in_pieces(
-    count: Option<NonZeroUsize>,
+    declaration: &Declaration,
     tasks: &[Task<'_>],
     render: impl FnOnce(&[Task<'_>]) -> Vec<Result<Rendering, KernelError>>,
 ) -> Vec<Result<Rendering, KernelError>> {
-    let fits = |count: usize| {
-        let mut tasks = tasks.iter();
-        tasks.all(|task| task.subject.channels().len() == count)
+    let source = declaration.source;
+    let count = |task: &Task<'_>| {
+        let own = task.subject.channels().len();
+        declaration.channels.map_or(own, NonZeroUsize::get)
     };
-    let Some(count) = count.map(NonZeroUsize::get).filter(|count| !fits(*count)) else {
+    let fits = |task: &Task<'_>| task.subject.channels().len() == count(task);
+    if source == Source::Depth && tasks.iter().all(fits) {
         return render(tasks);
-    };
+    }
     let pieces: Vec<Vec<Piece<'_>>> = tasks
         .iter()
         .map(|task| {
+            let count = count(task).max(1);
             let firsts = (0..task.subject.channels().len()).step_by(count);
-            firsts.map(|first| Piece::new(task, first, count)).collect()
+            firsts
+                .map(|first| Piece::new(task, first, count, source))
+                .collect()
         })
         .collect();
     let asked: Vec<Task<'_>> = pieces.iter().flatten().map(Piece::task).collect();

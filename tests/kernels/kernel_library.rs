@@ -10,7 +10,7 @@ use volver::case::{catalogue, manufacture::manufacture};
 use volver::kernel::library::LibraryKernel;
 use volver::kernel::{
     BuiltIn, Cut, Data, Declaration, DepthWeights, FormKind, Kernel, KernelError, Quantity,
-    Quantum, Rendering, Sampling, Segments, Subject, Task, UlpBound,
+    Quantum, Rendering, Sampling, Segments, Source, Subject, Task, UlpBound,
 };
 use volver::method::Method;
 use volver::real::FormatName;
@@ -180,7 +180,7 @@ fn everything_declared_arrives() {
         if (VOLVER_HAS(d, volver_declaration, far_wall)) d->far_wall = 1;\n\
         if (VOLVER_HAS(d, volver_declaration, multiple_of)) d->multiple_of = 2, d->step_divides = 1;\n\
         d->output = \"f16\"; d->quantum_is_relative = 1; d->exp_ulp[0] = 4; d->exp_ulp[1] = 1; d->pow_ulp[1] = 2;\n\
-        d->subnormals_lost = 1; d->channels = 3; d->positive_emission = 1;\n\
+        d->subnormals_lost = 1; d->channels = 3; d->positive_emission = d->source_per_length = 1;\n\
         d->order = 1.5; d->quantum = 1 / 256.0; d->stochastic = 1; }\n";
     let Some(kernel) = open(&format!("{code}{ANSWERS_NOTHING}")) else {
         return;
@@ -198,6 +198,7 @@ fn everything_declared_arrives() {
         subnormals_lost: true,
         channels: NonZeroUsize::new(3),
         positive_emission: true,
+        source: Source::Length,
         stochastic: true,
         sampling: Some(Sampling::Jittered),
         far_wall: true,

@@ -5,6 +5,7 @@ mod arithmetic;
 mod background;
 mod baseline;
 mod channels;
+mod emission;
 mod ladder;
 mod quantum;
 mod said;

@@ -66,6 +66,7 @@ struct RawDeclaration {
     noise: f64,
     channels: u32,
     positive_emission: i32,
+    source_per_length: i32,
 }
 
 /// `volver_medium`.
@@ -204,6 +205,7 @@ impl Functions {
             noise: 0.0,
             channels: 0,
             positive_emission: 0,
+            source_per_length: 0,
         };
         // SAFETY: the struct has the header's layout and lives through the call.
         unsafe { (self.declare)(&raw mut raw) };
@@ -234,6 +236,7 @@ impl Functions {
                 noise: raw.noise,
                 channels: raw.channels,
                 positive_emission: raw.positive_emission != 0,
+                source_per_length: raw.source_per_length != 0,
             })
         }
     }

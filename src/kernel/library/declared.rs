@@ -1,6 +1,6 @@
 //! What a library declares, as it says it.
 
-use crate::kernel::{Declaration, DepthWeights, FormKind, Quantity, Quantum, UlpBound};
+use crate::kernel::{Declaration, DepthWeights, FormKind, Quantity, Quantum, Source, UlpBound};
 use std::num::{NonZeroU64, NonZeroUsize};
 use std::str::FromStr;
 
@@ -37,6 +37,7 @@ pub(super) struct Declared {
     /// 0 for any.
     pub(super) channels: u32,
     pub(super) positive_emission: bool,
+    pub(super) source_per_length: bool,
 }
 
 impl Declared {
@@ -50,10 +51,12 @@ impl Declared {
             ));
         }
         let quantum = above_zero("a quantum", self.quantum)?;
-        let quantum = quantum.map(|quantum| match self.quantum_is_relative {
-            true => Quantum::Relative(quantum),
-            false => Quantum::Absolute(quantum),
-        });
+        let kind = if self.quantum_is_relative {
+            Quantum::Relative
+        } else {
+            Quantum::Absolute
+        };
+        let quantum = quantum.map(kind);
         let name = self.name.filter(|name| !name.trim().is_empty());
         let mut declaration = Declaration::new(name.as_deref().unwrap_or(default_name));
         if let Some(format) = parsed(self.format)? {
@@ -74,6 +77,11 @@ impl Declared {
                 .ok()
                 .and_then(NonZeroUsize::new),
             positive_emission: self.positive_emission,
+            source: if self.source_per_length {
+                Source::Length
+            } else {
+                Source::Depth
+            },
             stochastic: self.stochastic,
             sampling: parsed(self.sampling)?,
             far_wall: self.far_wall,

@@ -65,7 +65,8 @@ impl Kernel for LibraryKernel {
     }
 
     fn render_all(&mut self, tasks: &[Task<'_>]) -> Vec<Result<Rendering, KernelError>> {
-        in_pieces(self.declaration.channels, tasks, |tasks| {
+        let declaration = self.declaration.clone();
+        in_pieces(&declaration, tasks, |tasks| {
             tasks.iter().map(|task| self.whole(task)).collect()
         })
     }
@@ -106,6 +107,7 @@ impl LibraryKernel {
             opacity: Some(&answer.opacity).filter(is_told).map(float),
             optical_depth: of(Quantity::OpticalDepth, &answer.optical_depth),
             expected_depth: of(Quantity::ExpectedDepth, &answer.expected_depth),
+            emission: None,
             gradient: None,
             step: Some(answer.step).filter(|step| *step > 0.0),
             segments: Some(answer.segments).filter(|segments| *segments > 0),

@@ -9,7 +9,7 @@ use super::number::Number;
 use super::trouble::{Trouble, said};
 use super::written::Numbers;
 use super::{SECOND, VERSION, VERSIONS};
-use crate::kernel::{Declaration, DepthWeights, FormKind, Quantity};
+use crate::kernel::{Declaration, DepthWeights, FormKind, Quantity, Source};
 use crate::real::FormatName;
 use crate::symbolic::code::Language;
 use serde_json::Value;
@@ -110,6 +110,9 @@ fn greeting(version: u64, hello: KernelHello) -> Result<Greeting, String> {
     if hello.gradient.is_some() && form != FormKind::Segments {
         return Err("gradient of another form (allowed: with the form segments)".into());
     }
+    if exact.source == Source::Length && form != FormKind::Segments {
+        return Err("source per length of another form (allowed: with the form segments)".into());
+    }
     let declaration = Declaration {
         name,
         form,
@@ -205,6 +208,7 @@ impl Greeting {
             ("noise", a.noise == b.noise),
             ("channels", a.channels == b.channels),
             ("emission", a.positive_emission == b.positive_emission),
+            ("source", a.source == b.source),
             ("stochastic", a.stochastic == b.stochastic),
             ("sampling", a.sampling == b.sampling),
             ("step", a.step_divides == b.step_divides),

@@ -2,7 +2,7 @@
 
 use super::number::Number;
 use super::written::{Array, Numbers, Written};
-use crate::kernel::{DepthWeights, GradientAt, Quantity, Sampling};
+use crate::kernel::{DepthWeights, GradientAt, Quantity, Sampling, Source};
 #[cfg(feature = "studies")]
 use schemars::JsonSchema;
 use serde::de::{DeserializeOwned, Error};
@@ -96,6 +96,9 @@ pub(super) struct KernelHello {
     pub(super) channels: Option<u64>,
     /// `positive`: it takes no emission below 0. Any unless given. Of version 2.
     pub(super) emission: Option<WireEmission>,
+    /// What its tasks have for emission: C, per `depth`, or C·τ, per `length`; with the form `segments`. C unless given. Of
+    /// version 2.
+    pub(super) source: Option<WireSource>,
     /// Monte Carlo: the answer depends on the seed, and scatters.
     #[serde(default)]
     pub(super) stochastic: bool,
@@ -229,6 +232,24 @@ pub(super) enum WireSubnormals {
 #[serde(rename_all = "lowercase")]
 pub(super) enum WireEmission {
     Positive,
+}
+
+/// Per what an emission is.
+#[derive(Clone, Copy, Debug, Deserialize)]
+#[cfg_attr(feature = "studies", derive(JsonSchema), schemars(inline))]
+#[serde(rename_all = "lowercase")]
+pub(super) enum WireSource {
+    Depth,
+    Length,
+}
+
+impl From<WireSource> for Source {
+    fn from(source: WireSource) -> Self {
+        match source {
+            WireSource::Depth => Source::Depth,
+            WireSource::Length => Source::Length,
+        }
+    }
 }
 
 /// What a kernel may answer of a ray.
@@ -396,7 +417,8 @@ pub(super) struct WireSamples<'a> {
     pub(super) lambda: Array<'a>,
     /// The extinction τ per unit of length.
     pub(super) extinction: Array<'a>,
-    /// The emission C of every channel, per unit of optical depth: the source term is C·τ.
+    /// The emission C of every channel, per unit of optical depth: the source term is C·τ. The source term itself, for
+    /// kernels that take it per length.
     pub(super) emission: Vec<Array<'a>>,
 }
 

@@ -286,9 +286,8 @@ impl Kernel for ProcessKernel {
     }
 
     fn render_all(&mut self, tasks: &[Task<'_>]) -> Vec<Result<Rendering, KernelError>> {
-        in_pieces(self.declaration().channels, tasks, |tasks| {
-            self.whole(tasks)
-        })
+        let declaration = self.declaration().clone();
+        in_pieces(&declaration, tasks, |tasks| self.whole(tasks))
     }
 
     fn gradient(

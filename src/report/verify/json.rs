@@ -3,7 +3,7 @@
 use super::words::theory;
 use crate::case::Unproved;
 use crate::convergence::{Fit, ReportedError, Sample, StochasticFit, serialize_float};
-use crate::kernel::{Declaration, Quantity, Quantum, UlpBound};
+use crate::kernel::{Declaration, Quantity, Quantum, Source, UlpBound};
 use crate::report::{ReportError, identify};
 use crate::study::verify::{self as standing, Axis, Identified, Line, Measured, Verification};
 use rug::Float;
@@ -84,6 +84,8 @@ struct Arithmetic {
     channels: Option<NonZeroUsize>,
     #[serde(skip_serializing_if = "Option::is_none")]
     emission: Option<&'static str>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    source: Option<&'static str>,
 }
 
 impl Arithmetic {
@@ -97,6 +99,9 @@ impl Arithmetic {
             noise: declaration.noise,
             channels: declaration.channels,
             emission: declaration.positive_emission.then_some("positive"),
+            source: Some(declaration.source)
+                .filter(|source| *source != Source::Depth)
+                .map(Source::name),
         }
     }
 }

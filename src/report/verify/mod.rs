@@ -23,7 +23,7 @@ use crate::case::Unproved;
 use crate::document::{
     self, About, Block, Cell, Column, Document, Fact, Finding, Medium, Section, Table, Tone,
 };
-use crate::kernel::{Declaration, Quantum, UlpBound};
+use crate::kernel::{Declaration, Quantum, Source, UlpBound};
 use crate::method::Expected;
 #[cfg(feature = "studies")]
 use crate::render::{ReportError, write_document};
@@ -293,6 +293,7 @@ fn arithmetic(declaration: &Declaration) -> impl Iterator<Item = Fact> {
     let noise = declaration.noise.map(|noise| noise.to_string());
     let channels = declaration.channels.map(|channels| channels.to_string());
     let positive = declaration.positive_emission;
+    let per_length = declaration.source == Source::Length;
     let all = [
         ("stored as", output),
         ("quantum", quantum),
@@ -303,6 +304,7 @@ fn arithmetic(declaration: &Declaration) -> impl Iterator<Item = Fact> {
         ("noise", noise),
         ("channels of a ray", channels),
         ("emission", positive.then(|| "not negative".into())),
+        ("source", per_length.then(|| "per length".into())),
     ];
     let said = all
         .into_iter()

@@ -154,9 +154,10 @@ impl Judged<'_> {
             .filter_map(FormatName::smallest_normal);
         // The opacity, its product with C, what passes, of every segment, and the answer.
         let pieces = 1.0 + self.scenario.n as f64 * (1.0 + 2.0 * brightest);
-        let lost = match declaration.subnormals_lost {
-            true => pieces * least.fold(0.0, f64::max),
-            false => 0.0,
+        let lost = if declaration.subnormals_lost {
+            pieces * least.fold(0.0, f64::max)
+        } else {
+            0.0
         };
         let noise = declaration.noise.unwrap_or(0.0);
         quantum.unwrap_or(0.0) / 2.0 + output.unwrap_or(0.0) + lost + noise

@@ -99,7 +99,7 @@ impl Verification {
     #[must_use]
     pub fn quantities(&self) -> Vec<Quantity> {
         let is_there = |quantity: &Quantity| self.of(*quantity).next().is_some();
-        Quantity::ALL.into_iter().filter(is_there).collect()
+        Quantity::MEASURED.into_iter().filter(is_there).collect()
     }
 
     /// The lines of one quantity.

@@ -6,7 +6,7 @@ use std::num::NonZeroUsize;
 use std::sync::{Arc, Mutex};
 use volver::case::file::Description;
 use volver::identify::{Budget, Verdict, examine};
-use volver::kernel::{Closure, Declaration, Task};
+use volver::kernel::{Closure, Declaration, Kernel, Task};
 use volver::study::verify::Conclusion;
 
 const CASES: [&str; 3] = ["rgb-transfer", "sine-squared", "cloud"];
@@ -44,13 +44,11 @@ fn channels_are_asked_by_as_many_as_are_taken() {
     }
 }
 
+/// The smallest C that a kernel was given.
+type Least = Arc<Mutex<f64>>;
+
 /// A kernel that takes no negative emission, and one that would make something of it.
-fn positive(
-    positive_emission: bool,
-) -> (
-    Closure<impl FnMut(&Task<'_>, usize) -> f64 + Send>,
-    Arc<Mutex<f64>>,
-) {
+fn positive(positive_emission: bool) -> (impl Kernel, Least) {
     let declaration = Declaration {
         positive_emission,
         ..super::declared("front-to-back/front/expm1")

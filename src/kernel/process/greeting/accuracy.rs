@@ -21,6 +21,7 @@ pub(super) fn of(version: u64, hello: &KernelHello) -> Result<Declaration, Strin
         ("noise", hello.noise.is_some()),
         ("channels", hello.channels.is_some()),
         ("emission", hello.emission.is_some()),
+        ("source", hello.source.is_some()),
     ];
     let early = of_the_second.into_iter().find(|(_, given)| *given);
     if let Some((key, _)) = early.filter(|_| version < SECOND) {
@@ -45,6 +46,7 @@ pub(super) fn of(version: u64, hello: &KernelHello) -> Result<Declaration, Strin
         noise: above_zero("noise", hello.noise.as_ref())?,
         channels: channels(hello.channels)?,
         positive_emission: hello.emission.is_some_and(|WireEmission::Positive| true),
+        source: hello.source.map(Into::into).unwrap_or_default(),
         ..Declaration::new(&hello.name)
     };
     Ok(declaration)

@@ -1,7 +1,8 @@
 //! What answers may be off by what their kernel declares of its arithmetic, beside roundings of its format.
 
 use super::{Asked, Level, Wanted};
-use crate::kernel::{Quantity, Segments, UlpBound};
+use crate::kernel::{Quantity, Segments, Source, UlpBound};
+use crate::real::FormatName;
 use crate::study::verify::nominal::{Given, unit};
 use rug::Float;
 use std::f64::consts::LN_2;
@@ -37,6 +38,13 @@ impl Asked<'_> {
         let quantum = match wanted.quantity {
             Quantity::Radiance => declaration.quantum.map(|quantum| quantum.of(brightest)),
             Quantity::Opacity => declaration.quantum.map(|quantum| quantum.of(1.0)),
+            // Stored as the radiance of a ray whose emission is τ.
+            Quantity::Emission => {
+                let samples = [&given.segments.edges, &given.segments.middles].into_iter();
+                let all = samples.flat_map(|samples| &samples.extinction);
+                let most = all.copied().fold(0.0, f64::max);
+                declaration.quantum.map(|quantum| quantum.of(most))
+            }
             Quantity::OpticalDepth | Quantity::ExpectedDepth => None,
         };
         let output = declaration.output;
@@ -45,6 +53,8 @@ impl Asked<'_> {
         // −ln T is off by what T is off by as a part of itself.
         let functions = match wanted.quantity {
             Quantity::OpticalDepth => parts.relative(self),
+            // Nothing absorbs.
+            Quantity::Emission => 0.0,
             Quantity::ExpectedDepth if wanted.is_divided() => {
                 parts.functions(self) / parts.opacity().max(f64::MIN_POSITIVE)
             }
@@ -52,9 +62,7 @@ impl Asked<'_> {
         };
         let lost = if declaration.subnormals_lost {
             let least = declaration.format.smallest_normal().unwrap_or(0.0);
-            let stored = declaration
-                .output
-                .and_then(|output| output.smallest_normal());
+            let stored = declaration.output.and_then(FormatName::smallest_normal);
             parts.lost(least) + stored.unwrap_or(0.0)
         } else {
             0.0
@@ -66,14 +74,22 @@ impl Asked<'_> {
         }
     }
 
-    /// The largest |C| that a kernel is given of a ray.
-    pub(super) fn brightest(level: &Level, segments: &Segments) -> f64 {
-        let emission: Vec<&Vec<f64>> = match &level.volume {
-            Some(volume) => volume.table.emission.iter().collect(),
-            None => {
-                let (edges, middles) = (&segments.edges.emission, &segments.middles.emission);
-                edges.iter().chain(middles).collect()
-            }
+    /// The largest |C| that a kernel is given of a ray, or |C τ| of one that takes the source per length.
+    pub(super) fn brightest(&self, level: &Level, segments: &Segments) -> f64 {
+        if self.declaration.source == Source::Length {
+            let samples = [&segments.edges, &segments.middles].into_iter();
+            let rows = samples.flat_map(|samples| {
+                let row = |row| (row, &samples.extinction);
+                samples.emission.iter().map(row)
+            });
+            let all = rows.flat_map(|(c, tau): (&Vec<f64>, &Vec<f64>)| c.iter().zip(tau));
+            return all.map(|(c, tau)| (c * tau).abs()).fold(0.0, f64::max);
+        }
+        let emission: Vec<&Vec<f64>> = if let Some(volume) = &level.volume {
+            volume.table.emission.iter().collect()
+        } else {
+            let (edges, middles) = (&segments.edges.emission, &segments.middles.emission);
+            edges.iter().chain(middles).collect()
         };
         let all = emission.into_iter().flatten();
         all.map(|c| c.abs()).fold(0.0, f64::max)

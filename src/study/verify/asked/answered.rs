@@ -51,10 +51,10 @@ impl Asked<'_> {
         let mut failures = Vec::new();
         let mut in_range = true;
         let mut as_declared = Vec::new();
-        for (level, answers) in self.levels.iter().zip(&answers.levels) {
+        for (place, (level, renderings)) in self.levels.iter().zip(&answers.levels).enumerate() {
             let whole: Result<Vec<&Rendering>, &KernelError> =
-                answers.iter().map(Result::as_ref).collect();
-            let renderings = match whole {
+                renderings.iter().map(Result::as_ref).collect();
+            let renderings = match whole.and_then(|whole| answers.are_of(wanted, place, whole)) {
                 Ok(renderings) => renderings,
                 Err(error) => {
                     let n = level.count;
@@ -126,7 +126,7 @@ impl Asked<'_> {
         let used = renderings.first().map(|first| self.used(level, first));
         let cut = used.unwrap_or(level.cut);
         let segments = self.segments(level, cut)?;
-        let brightest = Self::brightest(level, &segments);
+        let brightest = self.brightest(level, &segments);
         let segments = wanted.lit(segments);
         let channel = wanted.channel;
         let uniform = match cut {
@@ -198,7 +198,10 @@ impl Asked<'_> {
             (Quantity::Radiance, _) | (Quantity::Opacity, Some(Method::Composited(_))) => {
                 nominal::at_level(self.declaration, given)
             }
-            (Quantity::OpticalDepth, Some(Method::Composited(compositing))) => {
+            (
+                Quantity::OpticalDepth | Quantity::Emission,
+                Some(Method::Composited(compositing)),
+            ) => {
                 let (place, _) = depth_rule(&compositing)?;
                 Some(nominal::depth_at_level(self.declaration, given, place))
             }

@@ -62,7 +62,8 @@ impl Asked<'_> {
     fn unit(&self, wanted: &Wanted, given: &Given<'_>) -> Option<f64> {
         let length = self.subject.length().to_f64();
         match wanted.quantity {
-            Quantity::Radiance => None,
+            // The emission is a sum of what is given.
+            Quantity::Radiance | Quantity::Emission => None,
             Quantity::Opacity | Quantity::OpticalDepth => Some(1.0),
             Quantity::ExpectedDepth if wanted.is_divided() => {
                 let composed =
