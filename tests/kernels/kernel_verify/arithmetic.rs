@@ -167,7 +167,8 @@ fn no_exponential_is_declared_so_bad_that_all_passes() {
         Conclusion::NotConfirmed,
         "{shown}"
     );
-    assert!(verification.counts().confirmed == 0, "{shown}");
+    // Floors as high as that would hide it.
+    assert!(verification.counts().contradicted > 0, "{shown}");
 }
 
 fn rounded_to(quantum: f64, y: f64) -> f64 {
