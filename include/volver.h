@@ -112,6 +112,25 @@ typedef struct volver_declaration {
   /* Of the code of the form "formula": "c", "python" or "rust". Null: none, as with every other form. A later
    * member than the first. */
   const char *language;
+  /* The format that its answers are rounded to at the end, as "f16", where it computes in another one. Null: none. A
+   * later member than the first, like all that follow. */
+  const char *output;
+  /* Not 0: the quantum is a part of the largest |C| of the ray. 0. */
+  int32_t quantum_is_relative;
+  /* exp(x) is off by at most exp_ulp[0] + exp_ulp[1] |x| units in the last place, where that is more than rounding; the
+   * same of expm1(x), and of pow(b, d) with x = d log2 b. 0, 0: rounded right, or nearly so. */
+  double exp_ulp[2], expm1_ulp[2], pow_ulp[2];
+  /* Not 0: numbers below the smallest normal one of the format may be 0 to it. 0. */
+  int32_t subnormals_lost;
+  /* Its answers may be off by so much by chance, in the units of the answer: sums in no fixed order. 0. */
+  double noise;
+  /* So many channels every task is to have; channels of other cases are asked in pieces. 0: any number. */
+  uint32_t channels;
+  /* Not 0: it takes no emission below 0, and is asked none. 0. */
+  int32_t positive_emission;
+  /* Not 0, with the form "segments": the emission that it is given is the source term C tau, per unit of length. It is
+   * then asked rays that emit and do not absorb, too. 0. */
+  int32_t source_per_length;
 } volver_declaration;
 
 /* The medium along the ray, as a function. */

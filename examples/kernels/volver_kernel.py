@@ -23,6 +23,13 @@ import sys
 import traceback
 
 
+# Keys of a greeting that the first version of the protocol has not.
+SECOND = {
+    "answers", "background", "batch", "channels", "emission", "exp_ulp", "expected_depth", "expm1_ulp", "gradient",
+    "noise", "output", "pow_ulp", "source", "subnormals",
+}  # fmt: skip
+
+
 def serve(declaration, render):
     """Greets with the declaration, and renders task after task until volver closes the pipe."""
     if os.environ.get("VOLVER_PROTOCOL") != "1":
@@ -37,7 +44,7 @@ def serve(declaration, render):
 
     requests.readline()  # volver's greeting, which has nothing that a kernel needs
     # From some hundred numbers on files are much faster than text.
-    protocol = 2 if declaration.keys() & {"answers", "gradient", "batch", "background"} else 1
+    protocol = 2 if SECOND & declaration.keys() else 1
     answer({"type": "hello", "protocol": protocol, "arrays": "npy", **declaration})
     for line in requests:
         if line.startswith(b'{"type":"frame"'):

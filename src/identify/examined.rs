@@ -65,7 +65,7 @@ impl Examined {
     #[must_use]
     pub fn verdict(&self) -> Verdict {
         let spent = self.found.spent;
-        if spent.rays == spent.unanswered {
+        if spent.rays == spent.unanswered && spent.rays > 0 {
             Verdict::NoAnswer
         } else if !self.deviations.is_empty() {
             Verdict::Deviates
@@ -108,7 +108,9 @@ pub fn examine(kernel: &mut dyn Kernel, budget: Budget, heard: &mut dyn FnMut(&S
     };
     // Of answers that scatter none shows anything, but where only places are drawn.
     let state = examined.found.state.as_ref();
-    let scatters = examined.declaration.stochastic || state.is_some_and(|state| state.seed);
+    let is_silent = super::silent(&examined.declaration).is_some();
+    let scatters =
+        is_silent || examined.declaration.stochastic || state.is_some_and(|state| state.seed);
     if wanted && (!scatters || examined.found.scattered.is_some()) {
         let misses = examined.found.hold_out.misses.iter();
         let from = misses

@@ -105,7 +105,7 @@ fn but_for(right: Rule, found: &Identification, declaration: &Declaration) -> Ru
         Some(rule) => rule.output.quantum,
         None => found.parts.output.and_then(|output| output.quantum),
     };
-    if let (Some(declared), Some(own)) = (declaration.quantum, own)
+    if let (Some(declared), Some(own)) = (declaration.fixed_quantum(), own)
         && (declared - own).abs() <= 1e-9 * declared
     {
         right.output.quantum = Some(own);

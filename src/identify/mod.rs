@@ -67,7 +67,7 @@ pub use together::{Apart, TOGETHER, Together, together};
 pub use volume::{Lookup, Optics};
 pub use witness::{TaskError, Witness, witness};
 
-use crate::kernel::Kernel;
+use crate::kernel::{Declaration, Kernel, Quantum};
 use rule::Scheme;
 use session::Session;
 use stages::run;
@@ -80,12 +80,28 @@ pub fn identify(
     heard: &mut dyn FnMut(&Spent),
 ) -> Identification {
     let mut found = Identification::default();
+    if let Some(reason) = silent(kernel.declaration()) {
+        found.not_identified.push(NotIdentified::new(reason));
+        return found;
+    }
     let mut session = Session::new(kernel, budget, heard);
     if let Err(reason) = run(&mut session, &mut found) {
         found.not_identified.push(reason);
     }
     found.spent = session.spent;
     found
+}
+
+/// Why nothing is read off answers that are as declared: probes are brighter and fainter by orders of magnitude, and small
+/// differences of answers are what tells parts of a rule apart.
+fn silent(declaration: &Declaration) -> Option<&'static str> {
+    match (declaration.noise, declaration.quantum) {
+        (Some(_), _) => Some("answers are off by chance, as the kernel declares"),
+        (None, Some(Quantum::Relative(_))) => Some(
+            "answers are multiples of a part of each ray's largest emission, as the kernel declares",
+        ),
+        (None, Some(Quantum::Absolute(_)) | None) => None,
+    }
 }
 
 /// A rule against a kernel: whether it predicts the answers to rays of all kinds.
@@ -113,7 +129,7 @@ pub fn held_out(
         answers: &answers,
         typical: factor.recip(),
         no_vacuum: false,
-        negative: true,
+        negative: !session.positive,
         right: None,
     };
     holdout::hold_out(&mut session, rule, &terms)

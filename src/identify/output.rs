@@ -79,7 +79,11 @@ pub(super) fn output(
         };
         return Err(NotIdentified::new(reason).with_curve(&c, &y));
     }
-    let negative = constants(session, &[-0.5, -0.25, -0.125]).ok();
+    let negative = if session.positive {
+        None
+    } else {
+        constants(session, &[-0.5, -0.25, -0.125]).ok()
+    };
     let mut answers = Answers {
         noise,
         ..Answers::default()

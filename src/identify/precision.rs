@@ -87,13 +87,17 @@ impl fmt::Display for Precision {
 pub(super) fn deviation(found: &Identification, declaration: &Declaration) -> Option<Deviation> {
     let precision = found.hold_out.precision?;
     let has_quantum = |output: &super::rule::Output| output.quantum.is_some();
-    if matches!(declaration.format, FormatName::Fixed(_))
+    // What is stored is what is seen.
+    let output = declaration.output.unwrap_or(declaration.format);
+    let is_fixed = |format| matches!(format, FormatName::Fixed(_));
+    if is_fixed(declaration.format)
+        || is_fixed(output)
         || declaration.quantum.is_some()
         || found.parts.output.as_ref().is_some_and(has_quantum)
     {
         return None;
     }
-    let declared = declaration.format.bits().min(DOUBLE);
+    let declared = declaration.format.bits().min(output.bits()).min(DOUBLE);
     // Of two formats of about the same size the printed one is no narrower.
     if precision.unit() <= 2.0 * unit(declared) {
         return None;
@@ -110,6 +114,6 @@ pub(super) fn deviation(found: &Identification, declaration: &Declaration) -> Op
         probe: "all rays that were held out",
         validated: Vec::new(),
         does: format!("no answer has more than {precision}"),
-        instead_of: Some(format!("{declared} bits, of {}", declaration.format)),
+        instead_of: Some(format!("{declared} bits, of {output}")),
     })
 }

@@ -4,6 +4,7 @@ use super::pose::{Made, Pose, Posed};
 use super::ray::{Emission, Layers, Ray};
 use super::rule::Channels;
 use crate::kernel::{Gradient, GradientAt, Kernel, KernelError, Rendering, Task};
+use std::num::NonZeroUsize;
 use std::ops::Range;
 use std::time::{Duration, Instant};
 
@@ -91,6 +92,8 @@ pub(super) struct Session<'k> {
     pub(super) multiple: usize,
     /// Steps divide the ray.
     pub(super) divides: bool,
+    /// No emission is below 0.
+    pub(super) positive: bool,
     /// The opacity that came with the last answer.
     pub(super) opacity: Option<f64>,
     /// The most samples that a ray may be made for.
@@ -111,6 +114,13 @@ impl<'k> Session<'k> {
         let multiple = usize::try_from(declaration.multiple_of.get()).unwrap_or(usize::MAX);
         let divides = declaration.step_divides;
         let pose = Pose::new(declaration.form);
+        let positive = declaration.positive_emission;
+        // Counted as they are asked: more of them are several requests.
+        let most = declaration.channels.map_or(usize::MAX, NonZeroUsize::get);
+        let budget = Budget {
+            channels: budget.channels.min(most),
+            ..budget
+        };
         Session {
             kernel,
             budget,
@@ -120,6 +130,7 @@ impl<'k> Session<'k> {
             channels: Channels::Straight,
             multiple,
             divides,
+            positive,
             opacity: None,
             most_samples: usize::MAX,
             pose,

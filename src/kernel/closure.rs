@@ -1,5 +1,6 @@
 //! Rust code linked in.
 
+use super::pieces::{in_pieces, one};
 use super::{Declaration, Kernel, KernelError, Rendering, Segments, Task};
 use rug::Float;
 use std::fmt;
@@ -42,6 +43,20 @@ impl<F: FnMut(&Task<'_>, usize) -> f64 + Send> Kernel for Closure<F> {
     }
 
     fn render(&mut self, task: &Task<'_>) -> Result<Rendering, KernelError> {
+        one(self.render_all(std::slice::from_ref(task)))
+    }
+
+    fn render_all(&mut self, tasks: &[Task<'_>]) -> Vec<Result<Rendering, KernelError>> {
+        let declaration = self.declaration.clone();
+        in_pieces(&declaration, tasks, |tasks| {
+            tasks.iter().map(|task| self.whole(task)).collect()
+        })
+    }
+}
+
+impl<F: FnMut(&Task<'_>, usize) -> f64 + Send> Closure<F> {
+    /// Of a ray of as many channels as are declared.
+    fn whole(&mut self, task: &Task<'_>) -> Result<Rendering, KernelError> {
         let given = task.data.kind();
         let wanted = self.declaration.form;
         if given != wanted {

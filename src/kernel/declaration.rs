@@ -1,7 +1,7 @@
 //! What a kernel says of itself.
 
 use super::GradientAt;
-use super::{DepthWeights, FormKind, Quantity};
+use super::{DepthWeights, FormKind, Quantity, Quantum, Source, UlpBound};
 use crate::method::{Expected, Method, Position};
 use crate::real::FormatName;
 use std::fmt;
@@ -29,9 +29,27 @@ pub struct Declaration {
     pub order: Option<f64>,
     /// The format that it computes in.
     pub format: FormatName,
+    /// The format that its answers are rounded to at the end, once, where that is another one.
+    pub output: Option<FormatName>,
     /// What its answers are multiples of, where that is coarser than the format: 1/255 of an 8-bit image,
-    /// 2⁻¹⁵ of 15-bit fixed point; in the units of the radiance.
-    pub quantum: Option<f64>,
+    /// 2⁻¹⁵ of 15-bit fixed point; in the units of the radiance, or as a part of the ray's largest emission.
+    pub quantum: Option<Quantum>,
+    /// How far off its exponentials e^x are, where that is more than rounding.
+    pub exp_ulp: Option<UlpBound>,
+    /// The same of e^x − 1.
+    pub expm1_ulp: Option<UlpBound>,
+    /// The same of powers b^d, x being d log₂ b.
+    pub pow_ulp: Option<UlpBound>,
+    /// Numbers below the smallest normal one of the format may be 0 to it.
+    pub subnormals_lost: bool,
+    /// By so much its answers may be off by chance, in the units of the answer: sums in an order that nobody determines.
+    pub noise: Option<f64>,
+    /// So many channels a ray has to have; those of others are asked in pieces.
+    pub channels: Option<NonZeroUsize>,
+    /// It takes no negative emission, and is asked none.
+    pub positive_emission: bool,
+    /// What it is given for emission.
+    pub source: Source,
     /// Monte Carlo: the answer depends on the seed, and scatters.
     pub stochastic: bool,
     /// Where it samples a segment, where the method does not say.
@@ -64,7 +82,16 @@ impl Declaration {
             method: None,
             order: None,
             format: FormatName::F64,
+            output: None,
             quantum: None,
+            exp_ulp: None,
+            expm1_ulp: None,
+            pow_ulp: None,
+            subnormals_lost: false,
+            noise: None,
+            channels: None,
+            positive_emission: false,
+            source: Source::Depth,
             stochastic: false,
             sampling: None,
             step_divides: false,
@@ -76,10 +103,15 @@ impl Declaration {
         }
     }
 
-    /// Whether it says that it answers that.
+    /// Whether it says that it answers that; the emission is a radiance, of a source per length.
     #[must_use]
     pub fn has(&self, quantity: Quantity) -> bool {
-        self.answers.contains(&quantity)
+        match quantity {
+            Quantity::Emission => {
+                self.source == Source::Length && self.answers.contains(&Quantity::Radiance)
+            }
+            _ => self.answers.contains(&quantity),
+        }
     }
 
     /// The first in the order of reports of what it answers.
@@ -103,6 +135,23 @@ impl Declaration {
         }
         if self.far_wall && self.has(Quantity::OpticalDepth) {
             return Err(DeclarationError::DepthOfWall);
+        }
+        if self.stochastic && self.noise.is_some() {
+            return Err(DeclarationError::NoiseOfRandom);
+        }
+        if self.gradient.is_some() && self.channels.is_some() {
+            return Err(DeclarationError::GradientInPieces);
+        }
+        if self.source == Source::Length {
+            if self.form != FormKind::Segments {
+                return Err(DeclarationError::SourceOfForm { form: self.form });
+            }
+            if self.gradient.is_some() {
+                return Err(DeclarationError::GradientOfSource);
+            }
+            if self.far_wall {
+                return Err(DeclarationError::SourceOfWall);
+            }
         }
         let Some(method) = self.method else {
             return Ok(());
@@ -154,6 +203,17 @@ impl Declaration {
         })
     }
 
+    /// What all its answers are multiples of, whatever the ray is: a quantum, or that of a fixed-point format.
+    #[must_use]
+    pub fn fixed_quantum(&self) -> Option<f64> {
+        match (self.quantum, self.output) {
+            (Some(Quantum::Absolute(quantum)), _) => Some(quantum),
+            // A quantum is twice as much as rounding to it takes.
+            (None, Some(output @ FormatName::Fixed(_))) => Some(2.0 * output.half_unit(1.0)),
+            (Some(Quantum::Relative(_)) | None, _) => None,
+        }
+    }
+
     /// Where it claims to sample: as it says, or as its method does.
     #[must_use]
     pub fn claimed_sampling(&self) -> Option<Sampling> {
@@ -183,6 +243,30 @@ pub enum DeclarationError {
         "it declares a far wall and the optical depth, which has no end there (allowed: one of the two)"
     )]
     DepthOfWall,
+    /// Noise of random numbers.
+    #[error(
+        "it declares noise and random numbers, whose scatter is measured (allowed: one of the two)"
+    )]
+    NoiseOfRandom,
+    /// Gradients of rays in pieces.
+    #[error(
+        "it declares a gradient and how many channels a ray has to have (allowed: one of the two)"
+    )]
+    GradientInPieces,
+    /// A source per length where no segments are given.
+    #[error("it declares a source per length and the form {form} (allowed: segments)")]
+    SourceOfForm {
+        /// The form.
+        form: FormKind,
+    },
+    /// Derivatives by a source per length.
+    #[error("it declares a gradient and a source per length (allowed: one of the two)")]
+    GradientOfSource,
+    /// A wall that nothing absorbs in front of.
+    #[error(
+        "it declares a far wall and a source per length, which has no end there (allowed: one of the two)"
+    )]
+    SourceOfWall,
     /// Another order than the method's.
     #[error(
         "it declares order {declared} and method '{method}', which has order {own} (allowed: {own}, or one of the two)"

@@ -24,6 +24,11 @@ pub trait Medium: Debug + Sync {
         &[]
     }
 
+    /// Whether emission is the source term j per length already: where nothing absorbs no C has one.
+    fn is_per_length(&self) -> bool {
+        false
+    }
+
     /// The case of each channel, where the ray is made of cases.
     fn cases(&self) -> &[SymbolicCase] {
         &[]

@@ -12,6 +12,7 @@
 //! | [`process`] | a program that talks JSON lines (`docs/protocol.md`) |
 //! | [`library`] | a shared library with the C interface of `include/volver.h` |
 
+mod accuracy;
 mod built_in;
 mod closure;
 mod cut;
@@ -22,14 +23,17 @@ mod gridded;
 pub mod library;
 mod made_up;
 mod medium;
+mod pieces;
 pub mod process;
 mod quantity;
 mod rendering;
+mod source;
 mod spacing;
 mod subject;
 mod task;
 mod volume;
 
+pub use accuracy::{Quantum, UlpBound, UlpBoundError};
 pub use built_in::BuiltIn;
 pub(crate) use built_in::radiance_in;
 pub use closure::Closure;
@@ -41,6 +45,7 @@ pub use gridded::Gridded;
 pub use medium::Medium;
 pub use quantity::{DepthWeights, Quantity};
 pub use rendering::Rendering;
+pub use source::Source;
 pub use spacing::{Spacing, SpacingError};
 pub use subject::{Subject, SubjectError};
 pub use task::{Data, FormKind, Formula, Samples, Segments, Table, Task, Volume};

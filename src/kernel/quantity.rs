@@ -14,15 +14,26 @@ pub enum Quantity {
     /// Where along the ray the light is taken from: the mean of λ with weights τ e^(−t), divided by the opacity
     /// where the kernel says so.
     ExpectedDepth,
+    /// ∫ j dλ, the radiance of a source j per length where nothing absorbs; of a kernel whose source is per length.
+    Emission,
 }
 
 impl Quantity {
-    /// All of them, in the order in which they are reported.
+    /// Those that kernels answer, in the order in which they are reported.
     pub const ALL: [Quantity; 4] = [
         Quantity::Radiance,
         Quantity::Opacity,
         Quantity::OpticalDepth,
         Quantity::ExpectedDepth,
+    ];
+
+    /// Those that are measured: the emission is the radiance of a ray of its own.
+    pub const MEASURED: [Quantity; 5] = [
+        Quantity::Radiance,
+        Quantity::Opacity,
+        Quantity::OpticalDepth,
+        Quantity::ExpectedDepth,
+        Quantity::Emission,
     ];
 
     /// Its name, as in the protocol and in JSON.
@@ -33,6 +44,7 @@ impl Quantity {
             Quantity::Opacity => "opacity",
             Quantity::OpticalDepth => "optical_depth",
             Quantity::ExpectedDepth => "expected_depth",
+            Quantity::Emission => "emission",
         }
     }
 }
@@ -45,6 +57,7 @@ impl fmt::Display for Quantity {
             Quantity::Opacity => "opacity",
             Quantity::OpticalDepth => "optical depth",
             Quantity::ExpectedDepth => "expected depth",
+            Quantity::Emission => "emission",
         })
     }
 }

@@ -18,6 +18,9 @@ pub struct Rendering {
     pub optical_depth: Option<Float>,
     /// The mean of λ with the weights of the samples, where the kernel tells; divided as its declaration says.
     pub expected_depth: Option<Float>,
+    /// The radiance of the same ray where nothing absorbs, lit by a source per length that is τ: what is asked beside a ray
+    /// of a kernel whose source is per length, and no answer to it.
+    pub emission: Option<Float>,
     /// Of Σₖ aₖ Iₖ, where the task has cotangents a.
     pub gradient: Option<Gradient>,
     /// The step d really used, where it is not the one asked for.
@@ -68,6 +71,7 @@ impl Rendering {
             Quantity::Opacity => self.opacity.as_ref(),
             Quantity::OpticalDepth => self.optical_depth.as_ref(),
             Quantity::ExpectedDepth => self.expected_depth.as_ref(),
+            Quantity::Emission => self.emission.as_ref(),
         }
     }
 }

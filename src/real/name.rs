@@ -129,6 +129,35 @@ impl FormatName {
         self.with(Bits)
     }
 
+    /// The smallest normal number, 2^emin; `None` of a fixed-point format, and of MPFR, whose numbers end out of reach.
+    #[must_use]
+    pub fn smallest_normal(self) -> Option<f64> {
+        self.emin().map(|emin| f64::from(emin).exp2())
+    }
+
+    /// What one rounding to nearest takes of a number of that size at most: 2^(−bits) |x|, and half the least positive number
+    /// where that is more; of a fixed-point format half its quantum.
+    #[must_use]
+    pub fn half_unit(self, size: f64) -> f64 {
+        let bits = f64::from(self.bits());
+        match (self, self.emin()) {
+            (FormatName::Fixed(format), _) => (-f64::from(format.fraction_bits()) - 1.0).exp2(),
+            (_, Some(emin)) => ((-bits).exp2() * size.abs()).max((f64::from(emin) - bits).exp2()),
+            (_, None) => (-bits).exp2() * size.abs(),
+        }
+    }
+
+    /// The exponent of the smallest normal number.
+    fn emin(self) -> Option<i32> {
+        match self {
+            FormatName::F16 => Some(-14),
+            FormatName::Bf16 | FormatName::F32 => Some(-126),
+            FormatName::F64 => Some(-1022),
+            FormatName::Ieee(format) => Some(format.emin()),
+            FormatName::Fixed(_) | FormatName::Mpfr(_) => None,
+        }
+    }
+
     /// Does `action` in this format; in `f16` and `bf16`, without the feature `half`, in the emulated format of the same numbers.
     pub fn with<W: WithFormat>(self, action: W) -> W::Output {
         match self {

@@ -2,7 +2,7 @@
 
 use rug::Float;
 use std::fs;
-use std::num::NonZeroU64;
+use std::num::{NonZeroU64, NonZeroUsize};
 use std::path::{Path, PathBuf};
 use std::process::Command;
 use tempfile::TempDir;
@@ -10,7 +10,7 @@ use volver::case::{catalogue, manufacture::manufacture};
 use volver::kernel::library::LibraryKernel;
 use volver::kernel::{
     BuiltIn, Cut, Data, Declaration, DepthWeights, FormKind, Kernel, KernelError, Quantity,
-    Rendering, Sampling, Segments, Subject, Task,
+    Quantum, Rendering, Sampling, Segments, Source, Subject, Task, UlpBound,
 };
 use volver::method::Method;
 use volver::real::FormatName;
@@ -179,6 +179,8 @@ fn everything_declared_arrives() {
         d->method = \"front-to-back/back/expm1\"; d->format = \"f32\"; d->sampling = \"jittered\";\n\
         if (VOLVER_HAS(d, volver_declaration, far_wall)) d->far_wall = 1;\n\
         if (VOLVER_HAS(d, volver_declaration, multiple_of)) d->multiple_of = 2, d->step_divides = 1;\n\
+        d->output = \"f16\"; d->quantum_is_relative = 1; d->exp_ulp[0] = 4; d->exp_ulp[1] = 1; d->pow_ulp[1] = 2;\n\
+        d->subnormals_lost = 1; d->channels = 3; d->positive_emission = d->source_per_length = 1;\n\
         d->order = 1.5; d->quantum = 1 / 256.0; d->stochastic = 1; }\n";
     let Some(kernel) = open(&format!("{code}{ANSWERS_NOTHING}")) else {
         return;
@@ -189,7 +191,14 @@ fn everything_declared_arrives() {
         method: Some("front-to-back/back/expm1".parse().unwrap()),
         order: Some(1.5),
         format: FormatName::F32,
-        quantum: Some(1.0 / 256.0),
+        output: Some(FormatName::F16),
+        quantum: Some(Quantum::Relative(1.0 / 256.0)),
+        exp_ulp: Some(UlpBound::new(4.0, 1.0).unwrap()),
+        pow_ulp: Some(UlpBound::new(0.0, 2.0).unwrap()),
+        subnormals_lost: true,
+        channels: NonZeroUsize::new(3),
+        positive_emission: true,
+        source: Source::Length,
         stochastic: true,
         sampling: Some(Sampling::Jittered),
         far_wall: true,
@@ -403,6 +412,15 @@ fn bad_libraries_are_refused_with_what_is_wrong() {
             declares("quantum = -0.5"),
             "it declares a quantum of -0.5 (allowed:",
         ),
+        (
+            declares("noise = NAN"),
+            "it declares noise of NaN (allowed: finite, above 0, or 0 for none)",
+        ),
+        (
+            declares("exp_ulp[0] = -1"),
+            "it declares exp_ulp: -1 + 0 |x| units in the last place (allowed:",
+        ),
+        (declares("output = \"f33\""), "in its declaration: unknown"),
         (
             format!(
                 "double elsewhere(void); {}",

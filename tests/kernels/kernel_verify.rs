@@ -1,9 +1,12 @@
 //! Verification as a library, on kernels that are right in one way and wrong in another.
 
 mod answers;
+mod arithmetic;
 mod background;
 mod baseline;
 mod beyond;
+mod channels;
+mod emission;
 mod ladder;
 mod quantum;
 mod said;
@@ -13,6 +16,7 @@ mod volume;
 mod wall;
 
 use volver::case::catalogue;
+use volver::case::file::Description;
 use volver::case::manufacture::manufacture;
 use volver::convergence::{Ladder, Sample};
 use volver::kernel::{Declaration, Kernel, Segments, Subject};
@@ -34,13 +38,15 @@ const SMOOTH: [&str; 8] = [
 ];
 
 pub(crate) fn subjects(names: &[&str]) -> Vec<Subject> {
-    let subject = |name: &&str| {
-        let description = catalogue::find(name).expect("in the catalogue").unwrap();
-        let channels = manufacture(&description).unwrap();
-        let channels = channels.into_iter().map(|c| (c.channel, c.case)).collect();
-        Subject::new(name, channels).unwrap()
-    };
+    let subject =
+        |name: &&str| of_description(&catalogue::find(name).expect("in the catalogue").unwrap());
     names.iter().map(subject).collect()
+}
+
+fn of_description(description: &Description) -> Subject {
+    let channels = manufacture(description).unwrap();
+    let channels = channels.into_iter().map(|c| (c.channel, c.case)).collect();
+    Subject::new(&description.name, channels).unwrap()
 }
 
 /// By steps that divide the ray.

@@ -3,6 +3,7 @@
 mod ask;
 mod baseline;
 mod batch;
+mod declares;
 mod help;
 mod kernels;
 mod new;

@@ -57,6 +57,16 @@ struct RawDeclaration {
     by_opacity: i32,
     background: i32,
     language: *const c_char,
+    output: *const c_char,
+    quantum_is_relative: i32,
+    exp_ulp: [f64; 2],
+    expm1_ulp: [f64; 2],
+    pow_ulp: [f64; 2],
+    subnormals_lost: i32,
+    noise: f64,
+    channels: u32,
+    positive_emission: i32,
+    source_per_length: i32,
 }
 
 /// `volver_medium`.
@@ -186,6 +196,16 @@ impl Functions {
             by_opacity: 0,
             background: 0,
             language: ptr::null(),
+            output: ptr::null(),
+            quantum_is_relative: 0,
+            exp_ulp: [0.0; 2],
+            expm1_ulp: [0.0; 2],
+            pow_ulp: [0.0; 2],
+            subnormals_lost: 0,
+            noise: 0.0,
+            channels: 0,
+            positive_emission: 0,
+            source_per_length: 0,
         };
         // SAFETY: the struct has the header's layout and lives through the call.
         unsafe { (self.declare)(&raw mut raw) };
@@ -207,6 +227,16 @@ impl Functions {
                 by_opacity: raw.by_opacity != 0,
                 background: raw.background != 0,
                 language: string("language", raw.language)?,
+                output: string("output", raw.output)?,
+                quantum_is_relative: raw.quantum_is_relative != 0,
+                exp_ulp: raw.exp_ulp,
+                expm1_ulp: raw.expm1_ulp,
+                pow_ulp: raw.pow_ulp,
+                subnormals_lost: raw.subnormals_lost != 0,
+                noise: raw.noise,
+                channels: raw.channels,
+                positive_emission: raw.positive_emission != 0,
+                source_per_length: raw.source_per_length != 0,
             })
         }
     }

@@ -1,7 +1,7 @@
 //! What a library declares, as it says it.
 
-use crate::kernel::{Declaration, DepthWeights, FormKind, Quantity};
-use std::num::NonZeroU64;
+use crate::kernel::{Declaration, DepthWeights, FormKind, Quantity, Quantum, Source, UlpBound};
+use std::num::{NonZeroU64, NonZeroUsize};
 use std::str::FromStr;
 
 /// `volver_declaration`, with its strings.
@@ -26,6 +26,18 @@ pub(super) struct Declared {
     pub(super) by_opacity: bool,
     pub(super) background: bool,
     pub(super) language: Option<String>,
+    pub(super) output: Option<String>,
+    pub(super) quantum_is_relative: bool,
+    /// a and b; both 0 for what rounds right.
+    pub(super) exp_ulp: [f64; 2],
+    pub(super) expm1_ulp: [f64; 2],
+    pub(super) pow_ulp: [f64; 2],
+    pub(super) subnormals_lost: bool,
+    pub(super) noise: f64,
+    /// 0 for any.
+    pub(super) channels: u32,
+    pub(super) positive_emission: bool,
+    pub(super) source_per_length: bool,
 }
 
 impl Declared {
@@ -38,12 +50,13 @@ impl Declared {
                 "it declares order {order} (allowed: finite, 0 or above, or NaN for none)"
             ));
         }
-        let quantum = self.quantum;
-        if !(quantum.is_finite() && quantum >= 0.0) {
-            return Err(format!(
-                "it declares a quantum of {quantum} (allowed: finite, above 0, or 0 for none)"
-            ));
-        }
+        let quantum = above_zero("a quantum", self.quantum)?;
+        let kind = if self.quantum_is_relative {
+            Quantum::Relative
+        } else {
+            Quantum::Absolute
+        };
+        let quantum = quantum.map(kind);
         let name = self.name.filter(|name| !name.trim().is_empty());
         let mut declaration = Declaration::new(name.as_deref().unwrap_or(default_name));
         if let Some(format) = parsed(self.format)? {
@@ -53,7 +66,22 @@ impl Declared {
             form,
             method: parsed(self.method)?,
             order,
-            quantum: Some(quantum).filter(|quantum| *quantum > 0.0),
+            output: parsed(self.output)?,
+            quantum,
+            exp_ulp: ulp("exp_ulp", self.exp_ulp)?,
+            expm1_ulp: ulp("expm1_ulp", self.expm1_ulp)?,
+            pow_ulp: ulp("pow_ulp", self.pow_ulp)?,
+            subnormals_lost: self.subnormals_lost,
+            noise: above_zero("noise", self.noise)?,
+            channels: usize::try_from(self.channels)
+                .ok()
+                .and_then(NonZeroUsize::new),
+            positive_emission: self.positive_emission,
+            source: if self.source_per_length {
+                Source::Length
+            } else {
+                Source::Depth
+            },
             stochastic: self.stochastic,
             sampling: parsed(self.sampling)?,
             far_wall: self.far_wall,
@@ -69,6 +97,22 @@ impl Declared {
             ..declaration
         })
     }
+}
+
+/// None where it is 0.
+fn above_zero(what: &str, value: f64) -> Result<Option<f64>, String> {
+    if value.is_finite() && value >= 0.0 {
+        return Ok(Some(value).filter(|value| *value > 0.0));
+    }
+    Err(format!(
+        "it declares {what} of {value} (allowed: finite, above 0, or 0 for none)"
+    ))
+}
+
+/// None where both parts are 0.
+fn ulp(what: &str, [a, b]: [f64; 2]) -> Result<Option<UlpBound>, String> {
+    let bound = UlpBound::new(a, b).map_err(|error| format!("it declares {what}: {error}"))?;
+    Ok(Some(bound).filter(|_| a > 0.0 || b > 0.0))
 }
 
 /// What the bits of `VOLVER_RADIANCE` and the others name.

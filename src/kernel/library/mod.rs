@@ -8,6 +8,7 @@ mod abi;
 mod declared;
 mod tables;
 
+use super::pieces::{in_pieces, one};
 use super::{Data, Declaration, Kernel, KernelError, Quantity, Rendering, Task, Volume};
 use abi::{Failure, Functions};
 use rug::Float;
@@ -60,6 +61,20 @@ impl Kernel for LibraryKernel {
     }
 
     fn render(&mut self, task: &Task<'_>) -> Result<Rendering, KernelError> {
+        one(self.render_all(std::slice::from_ref(task)))
+    }
+
+    fn render_all(&mut self, tasks: &[Task<'_>]) -> Vec<Result<Rendering, KernelError>> {
+        let declaration = self.declaration.clone();
+        in_pieces(&declaration, tasks, |tasks| {
+            tasks.iter().map(|task| self.whole(task)).collect()
+        })
+    }
+}
+
+impl LibraryKernel {
+    /// The answer to a ray of as many channels as are declared.
+    fn whole(&self, task: &Task<'_>) -> Result<Rendering, KernelError> {
         let (given, wanted) = (task.data.kind(), self.declaration.form);
         if given != wanted {
             return Err(KernelError::Form { given, wanted });
@@ -92,6 +107,7 @@ impl Kernel for LibraryKernel {
             opacity: Some(&answer.opacity).filter(is_told).map(float),
             optical_depth: of(Quantity::OpticalDepth, &answer.optical_depth),
             expected_depth: of(Quantity::ExpectedDepth, &answer.expected_depth),
+            emission: None,
             gradient: None,
             step: Some(answer.step).filter(|step| *step > 0.0),
             segments: Some(answer.segments).filter(|segments| *segments > 0),

@@ -144,6 +144,7 @@ fn rendering(
             opacity: outcome.opacity.map(float),
             optical_depth: outcome.optical_depth.map(float),
             expected_depth: outcome.expected_depth.map(float),
+            emission: None,
             gradient,
             step: outcome.step.as_ref().map(used_step).transpose()?,
             segments: outcome.segments.as_ref().map(used_segments).transpose()?,

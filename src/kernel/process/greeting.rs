@@ -1,5 +1,7 @@
 //! What a kernel says of itself, and how it wants to be talked to.
 
+mod accuracy;
+
 use super::frame;
 use super::message::{
     Arrays, Form, HelloTag, KernelHello, VolverHello, WireLanguage, WireQuantity, WireStep,
@@ -8,7 +10,7 @@ use super::number::Number;
 use super::trouble::{Trouble, said};
 use super::written::Numbers;
 use super::{SECOND, VERSION, VERSIONS};
-use crate::kernel::{Declaration, DepthWeights, FormKind, Quantity};
+use crate::kernel::{Declaration, DepthWeights, FormKind, Quantity, Source};
 use crate::real::FormatName;
 use crate::symbolic::code::Language;
 use serde_json::Value;
@@ -76,6 +78,7 @@ fn greeting(version: u64, hello: KernelHello) -> Result<Greeting, String> {
     if hello.batch.is_some() && version < SECOND {
         return Err(of_second("batch", version));
     }
+    let exact = accuracy::of(version, &hello)?;
     let answers = answers(version, hello.answers)?;
     let expected_depth = match hello.expected_depth {
         None => DepthWeights::default(),
@@ -115,6 +118,9 @@ fn greeting(version: u64, hello: KernelHello) -> Result<Greeting, String> {
         Some(name) => named("format", &name)?,
         None => FormatName::F64,
     };
+    if exact.source == Source::Length && form != FormKind::Segments {
+        return Err("source per length of another form (allowed: with the form segments)".into());
+    }
     let declaration = Declaration {
         name,
         form,
@@ -124,9 +130,8 @@ fn greeting(version: u64, hello: KernelHello) -> Result<Greeting, String> {
             .method
             .map(|name| named("method", &name))
             .transpose()?,
-        order: above_zero("order", hello.order)?,
+        order: above_zero("order", hello.order.as_ref())?,
         format,
-        quantum: above_zero("quantum", hello.quantum)?,
         stochastic: hello.stochastic,
         sampling: hello.sampling.map(Into::into),
         step_divides: hello.step.is_some_and(|WireStep::Divides| true),
@@ -139,6 +144,7 @@ fn greeting(version: u64, hello: KernelHello) -> Result<Greeting, String> {
         background: hello.background.unwrap_or(false),
         answers,
         expected_depth,
+        ..exact
     };
     Ok(Greeting {
         version,
@@ -202,7 +208,7 @@ fn named<T: FromStr<Err: Display>>(key: &str, name: &str) -> Result<T, String> {
     name.parse().map_err(|error| format!("{key}: {error}"))
 }
 
-fn above_zero(key: &str, number: Option<Number>) -> Result<Option<f64>, String> {
+fn above_zero(key: &str, number: Option<&Number>) -> Result<Option<f64>, String> {
     let Some(number) = number else {
         return Ok(None);
     };
@@ -225,7 +231,16 @@ impl Greeting {
             ("method", a.method == b.method),
             ("order", a.order == b.order),
             ("format", a.format == b.format),
+            ("output", a.output == b.output),
             ("quantum", a.quantum == b.quantum),
+            ("exp_ulp", a.exp_ulp == b.exp_ulp),
+            ("expm1_ulp", a.expm1_ulp == b.expm1_ulp),
+            ("pow_ulp", a.pow_ulp == b.pow_ulp),
+            ("subnormals", a.subnormals_lost == b.subnormals_lost),
+            ("noise", a.noise == b.noise),
+            ("channels", a.channels == b.channels),
+            ("emission", a.positive_emission == b.positive_emission),
+            ("source", a.source == b.source),
             ("stochastic", a.stochastic == b.stochastic),
             ("sampling", a.sampling == b.sampling),
             ("step", a.step_divides == b.step_divides),

@@ -2,10 +2,11 @@
 
 use super::number::Number;
 use super::written::{Array, Numbers, Written};
-use crate::kernel::{DepthWeights, GradientAt, Quantity, Sampling};
+use crate::kernel::{DepthWeights, GradientAt, Quantity, Sampling, Source};
 #[cfg(feature = "studies")]
 use schemars::JsonSchema;
-use serde::{Deserialize, Serialize};
+use serde::de::{DeserializeOwned, Error};
+use serde::{Deserialize, Deserializer, Serialize};
 use serde_json::Value;
 
 /// What a greeting says that it is.
@@ -75,8 +76,29 @@ pub(super) struct KernelHello {
     pub(super) order: Option<Number>,
     /// The format that it computes in, by volver's name: f32, f64, mpfr:128 …; f64 unless given.
     pub(super) format: Option<String>,
-    /// What its answers are multiples of, in the units of the radiance, where that is coarser than the format.
-    pub(super) quantum: Option<Number>,
+    /// The format that its answers are rounded to at the end, where that is another one. Of version 2.
+    pub(super) output: Option<String>,
+    /// What its answers are multiples of, in the units of the radiance, where that is coarser than the format; in version 2
+    /// also as a part of the largest |C| of the ray.
+    pub(super) quantum: Option<NumberOr<WireRelative>>,
+    /// By how many units in the last place e^x may be off, where that is more than rounding. Of version 2.
+    pub(super) exp_ulp: Option<NumberOr<WireUlp>>,
+    /// The same of e^x − 1. Of version 2.
+    pub(super) expm1_ulp: Option<NumberOr<WireUlp>>,
+    /// The same of powers b^d, x being d log₂ b. Of version 2.
+    pub(super) pow_ulp: Option<NumberOr<WireUlp>>,
+    /// `lost`: numbers below the smallest normal one of the format may be 0. Kept unless given. Of version 2.
+    pub(super) subnormals: Option<WireSubnormals>,
+    /// By so much its answers may be off by chance, in the units of the answer. Of version 2.
+    pub(super) noise: Option<Number>,
+    /// How many channels every task has to have; any unless given. Of version 2.
+    #[cfg_attr(feature = "studies", schemars(range(min = 1)))]
+    pub(super) channels: Option<u64>,
+    /// `positive`: it takes no emission below 0. Any unless given. Of version 2.
+    pub(super) emission: Option<WireEmission>,
+    /// What its tasks have for emission: C, per `depth`, or C·τ, per `length`; with the form `segments`. C unless given. Of
+    /// version 2.
+    pub(super) source: Option<WireSource>,
     /// Monte Carlo: the answer depends on the seed, and scatters.
     #[serde(default)]
     pub(super) stochastic: bool,
@@ -157,6 +179,80 @@ pub(super) struct WireSegments {
 #[serde(rename_all = "lowercase")]
 pub(super) enum WireStep {
     Divides,
+}
+
+/// A part of the largest |C| of a ray.
+#[derive(Clone, Debug, Deserialize)]
+#[cfg_attr(feature = "studies", derive(JsonSchema), schemars(inline))]
+#[serde(deny_unknown_fields)]
+pub(super) struct WireRelative {
+    /// The part.
+    pub(super) relative: Number,
+}
+
+/// A bound a + b |x|, in units in the last place.
+#[derive(Clone, Debug, Deserialize)]
+#[cfg_attr(feature = "studies", derive(JsonSchema), schemars(inline))]
+#[serde(deny_unknown_fields)]
+pub(super) struct WireUlp {
+    /// a.
+    pub(super) a: Number,
+    /// b; 0 unless given.
+    pub(super) b: Option<Number>,
+}
+
+/// A number, or an object that says more.
+#[derive(Clone, Debug)]
+#[cfg_attr(feature = "studies", derive(JsonSchema), schemars(untagged, inline))]
+pub(super) enum NumberOr<T> {
+    Number(Number),
+    Object(T),
+}
+
+// Derived, it would say of what is neither no more than that it is neither.
+impl<'de, T: DeserializeOwned> Deserialize<'de> for NumberOr<T> {
+    fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
+        let value = Value::deserialize(deserializer)?;
+        match value {
+            Value::Object(_) => serde_json::from_value(value).map(NumberOr::Object),
+            _ => serde_json::from_value(value).map(NumberOr::Number),
+        }
+        .map_err(D::Error::custom)
+    }
+}
+
+/// What becomes of numbers below the smallest normal one.
+#[derive(Clone, Copy, Debug, Deserialize)]
+#[cfg_attr(feature = "studies", derive(JsonSchema), schemars(inline))]
+#[serde(rename_all = "lowercase")]
+pub(super) enum WireSubnormals {
+    Lost,
+}
+
+/// Which emissions a kernel takes.
+#[derive(Clone, Copy, Debug, Deserialize)]
+#[cfg_attr(feature = "studies", derive(JsonSchema), schemars(inline))]
+#[serde(rename_all = "lowercase")]
+pub(super) enum WireEmission {
+    Positive,
+}
+
+/// Per what an emission is.
+#[derive(Clone, Copy, Debug, Deserialize)]
+#[cfg_attr(feature = "studies", derive(JsonSchema), schemars(inline))]
+#[serde(rename_all = "lowercase")]
+pub(super) enum WireSource {
+    Depth,
+    Length,
+}
+
+impl From<WireSource> for Source {
+    fn from(source: WireSource) -> Self {
+        match source {
+            WireSource::Depth => Source::Depth,
+            WireSource::Length => Source::Length,
+        }
+    }
 }
 
 /// What a kernel may answer of a ray.
@@ -324,7 +420,8 @@ pub(super) struct WireSamples<'a> {
     pub(super) lambda: Array<'a>,
     /// The extinction τ per unit of length.
     pub(super) extinction: Array<'a>,
-    /// The emission C of every channel, per unit of optical depth: the source term is C·τ.
+    /// The emission C of every channel, per unit of optical depth: the source term is C·τ. The source term itself, for
+    /// kernels that take it per length.
     pub(super) emission: Vec<Array<'a>>,
 }
 

@@ -34,6 +34,7 @@ pub use schema::schema;
 pub use spoken::{answer, greeting, request};
 pub use written::Numbers;
 
+use super::pieces::{in_pieces, one};
 use super::{Declaration, Gradient, Kernel, KernelError, Rendering, Task};
 use child::Child;
 use files::Files;
@@ -140,6 +141,39 @@ impl ProcessKernel {
             None => tasks.len(),
             Some(most) => frame::fits(tasks, most.get()),
         }
+    }
+
+    /// The results of tasks of as many channels as are declared, in any form.
+    fn whole(&mut self, tasks: &[Task<'_>]) -> Vec<Result<Rendering, KernelError>> {
+        let wanted = self.greeting.declaration.form;
+        let fits = |task: &&Task<'_>| task.data.kind() == wanted;
+        let fitting: Vec<&Task<'_>> = tasks.iter().filter(fits).collect();
+        let results = match fitting.as_slice() {
+            [] => Vec::new(),
+            fitting => self.results(fitting),
+        };
+        let mut results = results.into_iter();
+        let mut result = |task: &Task<'_>| {
+            let given = task.data.kind();
+            let fitting = (given == wanted).then(|| results.next()).flatten();
+            fitting.unwrap_or(Err(KernelError::Form { given, wanted }))
+        };
+        tasks.iter().map(&mut result).collect()
+    }
+
+    /// Rays as the kernel takes them in a single request.
+    fn in_one_request(&mut self, tasks: &[Task<'_>]) -> Result<Results, KernelError> {
+        let wanted = self.greeting.declaration.form;
+        let other = tasks.iter().map(|task| task.data.kind());
+        if let Some(given) = other.into_iter().find(|given| *given != wanted) {
+            return Err(KernelError::Form { given, wanted });
+        }
+        let tasks: Vec<&Task<'_>> = tasks.iter().collect();
+        let (rays, most) = (tasks.len(), self.at_once(&tasks));
+        if most < rays {
+            return Err(KernelError::Together { rays, most });
+        }
+        self.request(&tasks, None)
     }
 
     /// Asks, unless it was in vain too often.
@@ -331,42 +365,24 @@ impl Kernel for ProcessKernel {
     }
 
     fn render(&mut self, task: &Task<'_>) -> Result<Rendering, KernelError> {
-        let mut results = self.render_all(std::slice::from_ref(task));
-        // One task, one result.
-        results
-            .pop()
-            .unwrap_or(Err(KernelError::Channels { got: 0, wanted: 1 }))
+        one(self.render_all(std::slice::from_ref(task)))
     }
 
     fn render_together(&mut self, tasks: &[Task<'_>]) -> Result<Results, KernelError> {
-        let wanted = self.greeting.declaration.form;
-        let other = tasks.iter().map(|task| task.data.kind());
-        if let Some(given) = other.into_iter().find(|given| *given != wanted) {
-            return Err(KernelError::Form { given, wanted });
-        }
-        let tasks: Vec<&Task<'_>> = tasks.iter().collect();
-        let (rays, most) = (tasks.len(), self.at_once(&tasks));
-        if most < rays {
-            return Err(KernelError::Together { rays, most });
-        }
-        self.request(&tasks, None)
+        let declaration = self.declaration().clone();
+        let mut failure = None;
+        let results = in_pieces(&declaration, tasks, |tasks| {
+            self.in_one_request(tasks).unwrap_or_else(|error| {
+                failure = Some(error);
+                Vec::new()
+            })
+        });
+        failure.map_or(Ok(results), Err)
     }
 
     fn render_all(&mut self, tasks: &[Task<'_>]) -> Vec<Result<Rendering, KernelError>> {
-        let wanted = self.greeting.declaration.form;
-        let fits = |task: &&Task<'_>| task.data.kind() == wanted;
-        let fitting: Vec<&Task<'_>> = tasks.iter().filter(fits).collect();
-        let results = match fitting.as_slice() {
-            [] => Vec::new(),
-            fitting => self.results(fitting),
-        };
-        let mut results = results.into_iter();
-        let mut result = |task: &Task<'_>| {
-            let given = task.data.kind();
-            let fitting = (given == wanted).then(|| results.next()).flatten();
-            fitting.unwrap_or(Err(KernelError::Form { given, wanted }))
-        };
-        tasks.iter().map(&mut result).collect()
+        let declaration = self.declaration().clone();
+        in_pieces(&declaration, tasks, |tasks| self.whole(tasks))
     }
 
     fn gradient(

@@ -4,7 +4,7 @@ use super::words::theory;
 use crate::case::Unproved;
 use crate::convergence::{Fit, ReportedError, Sample, StochasticFit, serialize_float};
 use crate::identify::Together;
-use crate::kernel::{KernelError, Quantity, Rendering};
+use crate::kernel::{Declaration, KernelError, Quantity, Quantum, Rendering, Source, UlpBound};
 use crate::report::{ReportError, identify};
 use crate::study::verify::{
     self as standing, Acceptance, Axis, Beyond, Identified, Line, Measured, Verification,
@@ -32,6 +32,8 @@ struct Document<'a> {
     #[serde(skip_serializing_if = "Option::is_none")]
     batch: Option<Batch<'a>>,
     findings: Vec<Finding<'a>>,
+    #[serde(skip_serializing_if = "<[_]>::is_empty")]
+    left_out: &'a [String],
     #[serde(skip_serializing_if = "Option::is_none")]
     different_seeds: Option<usize>,
     lines: Vec<Row<'a>>,
@@ -46,7 +48,9 @@ struct Kernel<'a> {
     method: Option<String>,
     order: Option<f64>,
     format: String,
-    quantum: Option<f64>,
+    quantum: Option<Stored>,
+    #[serde(flatten)]
+    arithmetic: Arithmetic,
     stochastic: bool,
     sampling: Option<String>,
     step_divides: bool,
@@ -58,6 +62,55 @@ struct Kernel<'a> {
     answers: Vec<&'static str>,
     #[serde(skip_serializing_if = "Option::is_none")]
     expected_depth: Option<&'static str>,
+}
+
+/// What answers are multiples of: a number, or a part of the largest emission.
+#[derive(Serialize)]
+#[serde(untagged)]
+enum Stored {
+    Absolute(f64),
+    Relative { relative: f64 },
+}
+
+/// What is declared beside the format, where anything is.
+#[derive(Serialize)]
+struct Arithmetic {
+    #[serde(skip_serializing_if = "Option::is_none")]
+    output: Option<String>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    exp_ulp: Option<UlpBound>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    expm1_ulp: Option<UlpBound>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pow_ulp: Option<UlpBound>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    subnormals: Option<&'static str>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    noise: Option<f64>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    channels: Option<NonZeroUsize>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    emission: Option<&'static str>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    source: Option<&'static str>,
+}
+
+impl Arithmetic {
+    fn of(declaration: &Declaration) -> Arithmetic {
+        Arithmetic {
+            output: declaration.output.map(|output| output.to_string()),
+            exp_ulp: declaration.exp_ulp,
+            expm1_ulp: declaration.expm1_ulp,
+            pow_ulp: declaration.pow_ulp,
+            subnormals: declaration.subnormals_lost.then_some("lost"),
+            noise: declaration.noise,
+            channels: declaration.channels,
+            emission: declaration.positive_emission.then_some("positive"),
+            source: Some(declaration.source)
+                .filter(|source| *source != Source::Depth)
+                .map(Source::name),
+        }
+    }
 }
 
 #[derive(Serialize)]
@@ -192,7 +245,11 @@ pub fn json(verification: &Verification) -> Result<String, ReportError> {
             method: declaration.method.map(|method| method.name()),
             order: declaration.order,
             format: declaration.format.to_string(),
-            quantum: declaration.quantum,
+            quantum: declaration.quantum.map(|quantum| match quantum {
+                Quantum::Absolute(quantum) => Stored::Absolute(quantum),
+                Quantum::Relative(relative) => Stored::Relative { relative },
+            }),
+            arithmetic: Arithmetic::of(declaration),
             stochastic: declaration.stochastic,
             sampling: declaration.claimed_sampling().map(|s| s.to_string()),
             step_divides: declaration.step_divides,
@@ -234,6 +291,7 @@ pub fn json(verification: &Verification) -> Result<String, ReportError> {
                 channels: &finding.channels,
             })
             .collect(),
+        left_out: &verification.left_out,
         different_seeds: verification.different_seeds,
         lines: verification.lines.iter().map(row).collect(),
     };

@@ -24,6 +24,7 @@ use crate::case::Unproved;
 use crate::document::{
     self, About, Block, Cell, Column, Document, Fact, Finding, Medium, Section, Table, Tone,
 };
+use crate::kernel::{Declaration, Quantum, Source, UlpBound};
 use crate::method::Expected;
 #[cfg(feature = "studies")]
 use crate::render::{ReportError, write_document};
@@ -274,7 +275,7 @@ fn run(verification: &Verification) -> Block {
     } else {
         "none"
     };
-    Block::Facts(vec![
+    let mut facts = vec![
         Fact::new("levels", axis(verification)),
         Fact::new("declared method", declared),
         Fact::new("declared order", claimed),
@@ -282,7 +283,40 @@ fn run(verification: &Verification) -> Block {
         Fact::new("given", declaration.form.to_string()),
         Fact::new("answers", answers.join(", ")),
         Fact::new("background", behind),
-    ])
+    ];
+    facts.extend(arithmetic(declaration));
+    Block::Facts(facts)
+}
+
+/// What is declared of arithmetic and of rays taken, where anything is.
+fn arithmetic(declaration: &Declaration) -> impl Iterator<Item = Fact> {
+    let quantum = declaration.quantum.map(|quantum| match quantum {
+        Quantum::Absolute(quantum) => quantum.to_string(),
+        Quantum::Relative(part) => format!("{part} of the ray's largest emission"),
+    });
+    let text = |bound: Option<UlpBound>| bound.map(|bound| bound.to_string());
+    let output = declaration.output.map(|output| output.to_string());
+    let lost = declaration.subnormals_lost.then(|| "lost".to_string());
+    let noise = declaration.noise.map(|noise| noise.to_string());
+    let channels = declaration.channels.map(|channels| channels.to_string());
+    let positive = declaration.positive_emission;
+    let per_length = declaration.source == Source::Length;
+    let all = [
+        ("stored as", output),
+        ("quantum", quantum),
+        ("units that exp is off", text(declaration.exp_ulp)),
+        ("units that expm1 is off", text(declaration.expm1_ulp)),
+        ("units that pow is off", text(declaration.pow_ulp)),
+        ("subnormal numbers", lost),
+        ("noise", noise),
+        ("channels of a ray", channels),
+        ("emission", positive.then(|| "not negative".into())),
+        ("source", per_length.then(|| "per length".into())),
+    ];
+    let said = all
+        .into_iter()
+        .filter_map(|(name, value)| Some((name, value?)));
+    said.map(|(name, value)| Fact::new(name, value))
 }
 
 /// The signs in front of rows.

@@ -2,9 +2,10 @@
 
 use super::cell::{Answer, Cell};
 use super::promised::{Promise, absolute};
-use super::scenario::{ends_at_kinks, largest_extinction};
+use super::scenario::{emission, ends_at_kinks, largest_extinction};
 use super::truth::Truth;
 use crate::kernel::{Declaration, Quantity};
+use crate::real::FormatName;
 use crate::study::stress::{Scenario, digits, relative_error};
 use rug::{Float, Rational};
 
@@ -129,15 +130,37 @@ impl Judged<'_> {
                 Float::with_val(bits, absolute(self.declaration, other, self.scenario, size))
             }
         };
-        let quantum = match self.quantity {
-            Quantity::Radiance => self.declaration.quantum.unwrap_or(0.0) / 2.0,
-            _ => 0.0,
-        };
+        let stored = self.stored(wanted.to_f64());
         let discretization = match self.even {
             Even::OfOrder(order) if self.thickest() <= 1.0 => size * self.thickest().powf(order),
             Even::Exact | Even::OfOrder(_) => Float::new(bits),
         };
-        rounding + quantum + discretization
+        rounding + stored + discretization
+    }
+
+    /// What storing an answer of that size may cost, and what is lost below the smallest normal number.
+    fn stored(&self, wanted: f64) -> f64 {
+        let declaration = self.declaration;
+        let brightest = emission(&self.scenario.medium).to_f64().abs();
+        let quantum = match self.quantity {
+            Quantity::Radiance => declaration.quantum.map(|quantum| quantum.of(brightest)),
+            _ => None,
+        };
+        let output = declaration.output.map(|output| output.half_unit(wanted));
+        let formats = [Some(declaration.format), declaration.output];
+        let least = formats
+            .into_iter()
+            .flatten()
+            .filter_map(FormatName::smallest_normal);
+        // The opacity, its product with C, what passes, of every segment, and the answer.
+        let pieces = 1.0 + self.scenario.n as f64 * (1.0 + 2.0 * brightest);
+        let lost = if declaration.subnormals_lost {
+            pieces * least.fold(0.0, f64::max)
+        } else {
+            0.0
+        };
+        let noise = declaration.noise.unwrap_or(0.0);
+        quantum.unwrap_or(0.0) / 2.0 + output.unwrap_or(0.0) + lost + noise
     }
 
     /// Digits for what is allowed.

@@ -178,7 +178,7 @@ pub(super) fn absolute(
 ) -> f64 {
     let roundings = 4.0 * scenario.n as f64 + 16.0;
     match quantity {
-        Quantity::ExpectedDepth => f64::INFINITY,
+        Quantity::ExpectedDepth | Quantity::Emission => f64::INFINITY,
         Quantity::Radiance | Quantity::Opacity | Quantity::OpticalDepth => {
             roundings * unit(declaration) * size.max(1.0)
         }

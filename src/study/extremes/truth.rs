@@ -76,7 +76,7 @@ fn of_medium(medium: &Medium, quantity: Quantity, declaration: &Declaration) -> 
         Quantity::Opacity => Some(opacity),
         Quantity::OpticalDepth => Some(depth),
         // A sum over samples, which no rule has exactly.
-        Quantity::ExpectedDepth => None,
+        Quantity::ExpectedDepth | Quantity::Emission => None,
     }
 }
 

@@ -1,9 +1,11 @@
 //! What a kernel is asked on one case.
 
+mod allowance;
 mod answered;
 mod floor;
 mod resolved;
 mod sampled;
+mod unabsorbed;
 mod used;
 mod wanted;
 
@@ -48,6 +50,8 @@ pub(super) struct Answers {
     levels: Vec<Vec<Result<Rendering, KernelError>>>,
     /// Beside the levels.
     spots: Vec<Result<Rendering, KernelError>>,
+    /// By level, why there is no answer to the ray that does not absorb.
+    no_emission: Vec<Option<KernelError>>,
     /// The coarsest level once more.
     again: Option<Result<Rendering, KernelError>>,
 }
@@ -70,6 +74,15 @@ impl Answers {
         levels
             .chain(&self.again)
             .filter_map(|one| one.as_ref().ok())
+    }
+
+    /// Those of a level, unless what is wanted was asked by a ray of its own and not answered.
+    fn are_of<T>(&self, wanted: &Wanted, level: usize, these: T) -> Result<T, &KernelError> {
+        let is_own = wanted.quantity == Quantity::Emission;
+        match self.no_emission.get(level) {
+            Some(Some(error)) if is_own => Err(error),
+            _ => Ok(these),
+        }
     }
 
     /// Whether there is a single one.
@@ -194,11 +207,14 @@ impl<'a> Asked<'a> {
             let answer = kernel.render(&self.task(level, seed));
             self.checked(level, answer)
         });
-        Answers {
+        let mut answers = Answers {
             levels,
             spots,
+            no_emission: Vec::new(),
             again,
-        }
+        };
+        self.ask_unabsorbed(kernel, &mut answers);
+        answers
     }
 
     /// What was answered, where that is one answer to each ray: to compare a rule with.

@@ -81,7 +81,9 @@ fn of_other(
                 expected(method, &wanted.case)
             }
         }
-        (Quantity::OpticalDepth, Method::Composited(compositing)) if of_samples => {
+        (Quantity::OpticalDepth | Quantity::Emission, Method::Composited(compositing))
+            if of_samples =>
+        {
             match depth_rule(compositing) {
                 Some((_, rule)) => Inner::PerSegment(rule).expected(structure),
                 None => Expected::Unknown,

@@ -30,10 +30,10 @@ pub(super) fn outside(lines: &[Line]) -> Option<Finding> {
 pub(super) fn unsteady(declaration: &Declaration, lines: &[Line]) -> Option<Finding> {
     let unsteady = lines.iter().filter(|line| !line.steady);
     let channels: Vec<String> = unsteady.map(|line| line.name.clone()).collect();
-    let words = if declaration.stochastic {
-        "the same seed has two answers"
-    } else {
-        "answers differ from run to run, and the kernel is said to be deterministic"
+    let words = match declaration.noise {
+        _ if declaration.stochastic => "the same seed has two answers",
+        Some(_) => "answers differ from run to run by more than twice the declared noise",
+        None => "answers differ from run to run, and the kernel is said to be deterministic",
     };
     (!channels.is_empty()).then(|| Finding {
         words: words.into(),

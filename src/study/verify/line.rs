@@ -191,6 +191,8 @@ pub(super) struct LevelRadiances {
     /// By seed.
     pub(super) values: Vec<Float>,
     pub(super) floor: Float,
+    /// What rounding at the end takes at most.
+    pub(super) stored: f64,
     /// Of the declared method.
     pub(super) nominal: Option<Nominal>,
     /// Standard errors that the kernel reports, by seed.
@@ -253,6 +255,13 @@ impl Radiances {
             })
         };
         self.levels.iter().filter_map(sample).collect()
+    }
+
+    /// What answers at the finest level are multiples of, where that is declared.
+    pub(super) fn quantum(&self) -> Option<f64> {
+        let finest = self.levels.last();
+        let quantum = finest.map(|finest| 2.0 * finest.stored);
+        quantum.filter(|quantum| *quantum > 0.0)
     }
 
     /// With the number of segments of each.

@@ -9,6 +9,7 @@ mod beyond;
 mod expectation;
 mod explain;
 mod identified;
+mod left_out;
 mod line;
 mod nominal;
 pub(crate) mod peers;
@@ -69,6 +70,8 @@ pub struct Verification {
     pub together: Option<Together>,
     /// What else was found, with the channels that show it.
     pub findings: Vec<Finding>,
+    /// Cases that were not asked, since the kernel declares that it does not take them.
+    pub left_out: Vec<String>,
     /// So many seeds had answers of their own; `None` for a deterministic kernel.
     pub different_seeds: Option<usize>,
 }
@@ -101,7 +104,7 @@ impl Verification {
     #[must_use]
     pub fn quantities(&self) -> Vec<Quantity> {
         let is_there = |quantity: &Quantity| self.of(*quantity).next().is_some();
-        Quantity::ALL.into_iter().filter(is_there).collect()
+        Quantity::MEASURED.into_iter().filter(is_there).collect()
     }
 
     /// The lines of one quantity.
@@ -297,7 +300,9 @@ pub fn verify(
     {
         return Err(VerifyError::Batch { count, most });
     }
-    let subjects = &background::before(subjects, &declaration, settings)?[..];
+    let subjects = background::before(subjects, &declaration, settings)?;
+    let (subjects, left_out) = left_out::sorted(subjects, &declaration, settings);
+    let subjects = &subjects[..];
     let mut lines = Vec::new();
     let mut unanswered = 0;
     let mut seeds = Seeds::new(settings.replicas);
@@ -350,7 +355,8 @@ pub fn verify(
         _ => None,
     };
     let unsteady = explain::unsteady(&declaration, &lines).into_iter();
-    let findings = unsteady.chain(explain::outside(&lines)).collect();
+    let found = unsteady.chain(explain::outside(&lines));
+    let findings = found.chain(left_out::finding(&left_out)).collect();
     let different_seeds = declaration.stochastic.then(|| seeds.different());
     let mut verification = Verification {
         declaration,
@@ -359,6 +365,7 @@ pub fn verify(
         identification,
         together,
         findings,
+        left_out,
         different_seeds,
     };
     let scattered = scattered::findings(&verification);

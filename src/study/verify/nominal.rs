@@ -61,14 +61,14 @@ impl Nominal {
     /// Whether an answer is the declared method's.
     ///
     /// Each of n segments rounds a few times; the bound N·2⁻²² of `docs/stress.md` is 4 n u. An opacity
-    /// 1 − e^(−x) is wrong by up to u, whatever its size: n u max |C| in all.
+    /// 1 − e^(−x) is wrong by up to u, whatever its size: n u max |C| in all. What else is declared is the `allowance`.
     pub(super) fn agrees(
         &self,
         value: f64,
         scale: f64,
         given: &Given<'_>,
         declaration: &Declaration,
-        quantum: Option<f64>,
+        allowance: f64,
     ) -> bool {
         // Answers come in binary64.
         let unit = unit(declaration).max(f64::EPSILON / 2.0);
@@ -77,7 +77,7 @@ impl Nominal {
         let size = scale.max(model.abs()).max(self.terms.unwrap_or(0.0));
         let bright = largest_emission(given.segments, given.channel);
         let rounding = unit * ((32.0 + 4.0 * n) * size + 2.0 * n * bright);
-        (value - model).abs() <= rounding + 0.5001 * quantum.unwrap_or(0.0)
+        (value - model).abs() <= rounding + 1.0002 * allowance
     }
 }
 

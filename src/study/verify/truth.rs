@@ -26,7 +26,7 @@ pub(super) fn of(
 ) -> Result<Option<Truth>, VerifyError> {
     let case = &wanted.case;
     match wanted.quantity {
-        Quantity::OpticalDepth => depth(case, bits).map(Some),
+        Quantity::OpticalDepth | Quantity::Emission => depth(case, bits).map(Some),
         Quantity::Opacity => opacity(case, bits, wall).map(Some),
         Quantity::ExpectedDepth if wanted.is_divided() => {
             let (opacity, mut unproved) = opacity(case, bits, wall)?;
@@ -123,7 +123,7 @@ fn of_case(case: &SymbolicCase, bits: u32, wall: Option<WallAt>) -> Result<Truth
 pub(super) fn of_volume(volume: &Volume, length: &Rational, wanted: &Wanted, bits: u32) -> Float {
     let even = Float::with_val(bits, 1);
     match wanted.quantity {
-        Quantity::OpticalDepth => depth_of_volume(volume, length, bits),
+        Quantity::OpticalDepth | Quantity::Emission => depth_of_volume(volume, length, bits),
         Quantity::Opacity => radiance_of_volume(volume, length, bits, |_, _| even.clone()),
         Quantity::ExpectedDepth => {
             let of = |part: f64, _: &[f64]| Float::with_val(bits, length) * part;

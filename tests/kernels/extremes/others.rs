@@ -3,8 +3,9 @@
 use super::{ask, cell, digits, expm1, faults, march, method, of, order};
 use rug::Float;
 use volver::kernel::{
-    Declaration, DepthWeights, Kernel, KernelError, Quantity, Rendering, Segments, Task,
+    Declaration, DepthWeights, Kernel, KernelError, Quantity, Quantum, Rendering, Segments, Task,
 };
+use volver::real::FormatName;
 use volver::study::extremes::Answer;
 
 /// Answers what a function makes of segments.
@@ -165,7 +166,7 @@ fn walls_are_what_they_are_declared() {
 fn quanta_are_allowed_where_they_are_declared() {
     let rounded = |s: &Segments| (march(s, |tau| tau, expm1) * 255.0).round() / 255.0;
     let declaration = Declaration {
-        quantum: Some(1.0 / 255.0),
+        quantum: Some(Quantum::Absolute(1.0 / 255.0)),
         ..order()
     };
     assert_eq!(faults(&of(declaration, rounded)), [""; 0]);
@@ -174,6 +175,26 @@ fn quanta_are_allowed_where_they_are_declared() {
         undeclared.contains(&"depth/1e-12".to_string()),
         "{undeclared:?}"
     );
+}
+
+/// Eleven bits of what is computed in 53, and a little by chance.
+#[test]
+fn what_is_stored_and_what_scatters_is_allowed_where_it_is_declared() {
+    let composite = || method("front-to-back/middle/expm1");
+    let half = |s: &Segments| Float::with_val(11, march(s, |tau| tau, expm1)).to_f64();
+    let declaration = Declaration {
+        output: Some(FormatName::F16),
+        ..composite()
+    };
+    assert_eq!(faults(&of(declaration, half)), [""; 0]);
+    assert!(faults(&of(composite(), half)).contains(&"depth/1e0".to_string()));
+    let off = |s: &Segments| march(s, |tau| tau, expm1) + 9e-4;
+    let declaration = |noise| Declaration {
+        noise: Some(noise),
+        ..composite()
+    };
+    assert_eq!(faults(&of(declaration(1e-3), off)), [""; 0]);
+    assert!(faults(&of(declaration(1e-5), off)).contains(&"depth/1e0".to_string()));
 }
 
 /// Chance is no promise, but it has to be a number.

@@ -3,15 +3,15 @@
 use super::fixture::subject;
 use rug::Float;
 use serde_json::{Value, json};
-use std::num::NonZeroU64;
+use std::num::{NonZeroU64, NonZeroUsize};
 use std::sync::LazyLock;
 use volver::inside::kernel::{
     Array, Greeting, Numbers, Trouble, Written, quoted, read_answer, read_greeting,
 };
 use volver::kernel::process::schema;
 use volver::kernel::{
-    Data, Declaration, DepthWeights, FormKind, KernelError, Quantity, Rendering, Samples, Sampling,
-    Segments, Subject, Task,
+    Data, Declaration, DepthWeights, FormKind, KernelError, Quantity, Quantum, Rendering, Samples,
+    Sampling, Segments, Source, Subject, Task, UlpBound,
 };
 use volver::real::FormatName;
 use volver::symbolic::code::Language;
@@ -187,7 +187,7 @@ fn greetings_say_all_that_a_declaration_holds() {
         method: Some("front-to-back/front/subtraction".parse().unwrap()),
         order: Some(2.0),
         format: FormatName::F32,
-        quantum: Some(0.5),
+        quantum: Some(Quantum::Absolute(0.5)),
         stochastic: true,
         sampling: Some(Sampling::Ends),
         step_divides: true,
@@ -219,6 +219,41 @@ fn greetings_say_all_that_a_declaration_holds() {
     assert_eq!(
         second.changes(&least),
         ["protocol", "background", "answers", "expected_depth"]
+    );
+    let exact = br#"{"type":"hello","protocol":2,"name":"a","form":"segments","output":"f16","quantum":{"relative":"0x1p-8"},
+        "exp_ulp":{"a":4,"b":1},"expm1_ulp":1.5,"pow_ulp":{"a":0.5},"subnormals":"lost","noise":1e-6,"channels":3,
+        "emission":"positive","source":"length"}"#;
+    let exact = read_greeting(exact).unwrap();
+    let bound = |a, b| Some(UlpBound::new(a, b).unwrap());
+    let declaration = Declaration {
+        output: Some(FormatName::F16),
+        quantum: Some(Quantum::Relative(1.0 / 256.0)),
+        exp_ulp: bound(4.0, 1.0),
+        expm1_ulp: bound(1.5, 0.0),
+        pow_ulp: bound(0.5, 0.0),
+        subnormals_lost: true,
+        noise: Some(1e-6),
+        channels: NonZeroUsize::new(3),
+        positive_emission: true,
+        source: Source::Length,
+        ..Declaration::new("a")
+    };
+    assert_eq!(exact.declaration, declaration);
+    assert_eq!(
+        exact.changes(&least),
+        [
+            "protocol",
+            "output",
+            "quantum",
+            "exp_ulp",
+            "expm1_ulp",
+            "pow_ulp",
+            "subnormals",
+            "noise",
+            "channels",
+            "emission",
+            "source"
+        ]
     );
     // What the second version need not say is as in the first.
     let least = br#"{"type":"hello","protocol":2,"name":"a","form":"segments"}"#;
@@ -355,6 +390,63 @@ fn greetings_of_other_versions_are_refused_with_what_they_lack() {
         (
             r#""protocol":1,"background":false"#,
             "background in protocol 1 (allowed: in protocol 2)",
+        ),
+        (
+            r#""protocol":1,"noise":1e-6"#,
+            "noise in protocol 1 (allowed: in protocol 2)",
+        ),
+        (
+            r#""protocol":1,"quantum":{"relative":0.1}"#,
+            "quantum of the largest emission in protocol 1 (allowed: in protocol 2)",
+        ),
+        (
+            r#""protocol":2,"quantum":{"relative":0}"#,
+            "quantum: relative 0 (allowed: finite, above 0)",
+        ),
+        (
+            r#""protocol":2,"quantum":{"part":0.1}"#,
+            "unknown key 'part' (allowed: 'relative')",
+        ),
+        (
+            r#""protocol":2,"quantum":[1]"#,
+            "invalid type: sequence (allowed: a number, or text such as \"0.1\", \"0x1.8p-3\", \"nan\", \"inf\")",
+        ),
+        (
+            r#""protocol":2,"exp_ulp":-1"#,
+            "exp_ulp: -1 + 0 |x| units in the last place (allowed: both finite, 0 or above)",
+        ),
+        (
+            r#""protocol":2,"pow_ulp":{"a":1,"b":"inf"}"#,
+            "pow_ulp: 1 + inf |x| units in the last place (allowed: both finite, 0 or above)",
+        ),
+        (
+            r#""protocol":2,"output":"f12""#,
+            "output: unknown format 'f12' (allowed: f16, bf16, f32, f64, tf32, fp8-e4m3, fp8-e5m2, ieee:BITS,EMIN,EMAX, \
+             fixed:FRACTION, fixed:INTEGER.FRACTION, mpfr:BITS)",
+        ),
+        (
+            r#""protocol":2,"subnormals":"kept""#,
+            "unknown variant 'kept' (allowed: 'lost')",
+        ),
+        (
+            r#""protocol":2,"emission":"negative""#,
+            "unknown variant 'negative' (allowed: 'positive')",
+        ),
+        (
+            r#""protocol":2,"channels":0"#,
+            "channels 0 (allowed: 1 or more)",
+        ),
+        (
+            r#""protocol":2,"source":"ray""#,
+            "unknown variant 'ray' (allowed: 'depth' or 'length')",
+        ),
+        (
+            r#""protocol":1,"source":"depth""#,
+            "source in protocol 1 (allowed: in protocol 2)",
+        ),
+        (
+            r#""protocol":2,"noise":-1"#,
+            "noise -1 (allowed: finite, above 0)",
         ),
         (
             r#""protocol":2,"answers":[]"#,

@@ -2,7 +2,9 @@
 
 use super::{composite, run, shown, subjects};
 use std::num::NonZeroU64;
-use volver::kernel::{Closure, Declaration, Kernel, KernelError, Rendering, Segments, Task};
+use volver::kernel::{
+    Closure, Declaration, Kernel, KernelError, Quantum, Rendering, Segments, Task,
+};
 use volver::real::FormatName;
 use volver::study::verify::{
     Axis, Conclusion, Remark, Settings, SettingsError, Standing, Steps, Verification, VerifyError,
@@ -128,7 +130,7 @@ fn right_kernels_of_other_kinds_are_confirmed() {
 fn answers_of_eight_bits_are_right_to_one_of_them() {
     let bits = |offset: f64| {
         let declaration = Declaration {
-            quantum: Some(1.0 / 255.0),
+            quantum: Some(Quantum::Absolute(1.0 / 255.0)),
             ..of_order(2.0)
         };
         of_segments(declaration, move |_, segments, channel| {

@@ -171,6 +171,48 @@ fn answers_that_differ_from_run_to_run_are_named_everywhere() {
     assert_named(&["--unsteady"], &[words]);
 }
 
+/// Rays without absorption, over the wire: a line of their own in JSON, in `JUnit` and in a baseline.
+#[test]
+fn a_projector_is_asked_rays_that_do_not_absorb() {
+    let folder = tempfile::tempdir().unwrap();
+    let at = |name: &str| folder.path().join(name).to_str().unwrap().to_string();
+    let (json_file, junit_file, base) = (at("all.json"), at("all.xml"), at("base.json"));
+    let script = in_repository("examples/kernels/emission.py");
+    let kernel = ["python3", script.as_str()];
+    let files = [
+        "--json",
+        &json_file,
+        "--junit",
+        &junit_file,
+        "--save",
+        &base,
+    ];
+    let run = verify(&files, &kernel).with_code(0);
+    run.shows("emission 2 confirmed, 0 contradicted");
+    run.shows(MIDDLE);
+    let all: Value = serde_json::from_str(&fs::read_to_string(&json_file).unwrap()).unwrap();
+    assert_eq!(all["kernel"]["source"], "length");
+    let lines = all["lines"].as_array().unwrap();
+    let of = lines.iter().filter(|line| line["quantity"] == "emission");
+    assert_eq!(of.count(), 3);
+    let name = "sine-squared:emission";
+    let xml = fs::read_to_string(&junit_file).unwrap();
+    assert!(
+        xml.contains(&format!("name=\"{name}\"></testcase>")),
+        "{xml}"
+    );
+    assert!(fs::read_to_string(&base).unwrap().contains(name));
+    volver(&[&["check", &base][..], &kernel].concat()).with_code(0);
+    // What has no value there is not answered there, and radiances are.
+    let divided = [&kernel[..], &["--by-division"]].concat();
+    let options = ["--identify", "off", "--json", "-"];
+    let all = verify(&options, &divided).with_code(1).json();
+    for line in all["lines"].as_array().unwrap() {
+        let failed = line["standing"] == "failed";
+        assert_eq!(failed, line["quantity"] == "emission", "{line}");
+    }
+}
+
 #[test]
 fn all_that_an_example_answers_is_measured() {
     let script = in_repository("examples/kernels/depths.py");

@@ -1,5 +1,7 @@
 //! Rounding by definition, on the bits of binary64: the second implementation.
 
+use volver::real::FormatName;
+
 /// `x` rounded to nearest, ties to even, at `bits` significant bits, with gradual underflow below 2^emin
 /// and ∞ from 2^(emax + 1) on. The format's half quantum must lie above binary64's subnormal numbers.
 ///
@@ -51,4 +53,31 @@ fn rounding_by_bits_is_that_of_conversions() {
             "{x}"
         );
     }
+}
+
+/// No rounding takes more than half a unit, and ties take all of it.
+#[test]
+fn half_a_unit_is_what_rounding_takes_at_most() {
+    let mut worst: f64 = 0.0;
+    for (name, bits, emin, emax) in [("f16", 11, -14, 15), ("f32", 24, -126, 127)] {
+        let format: FormatName = name.parse().unwrap();
+        assert_eq!(format.smallest_normal(), Some(power(emin)));
+        for k in 0..4000 {
+            let x = power(emin - 8 + k % 24) * (1.0 + f64::from(k) / 4099.0);
+            let error = (rounded(x, bits, emin, emax) - x).abs();
+            worst = worst.max(error / format.half_unit(x));
+        }
+        let tie = 1.0 + power(-i32::try_from(bits).unwrap());
+        let error = (rounded(tie, bits, emin, emax) - tie).abs();
+        assert!(error > 0.999 * format.half_unit(tie) && error <= format.half_unit(tie));
+        let least = 1.5 * power(emin - i32::try_from(bits).unwrap() + 1);
+        let error = (rounded(least, bits, emin, emax) - least).abs();
+        assert_eq!(error.to_bits(), format.half_unit(least).to_bits());
+    }
+    assert!((0.9..=1.0).contains(&worst), "{worst}");
+    let fixed: FormatName = "fixed:8".parse().unwrap();
+    assert_eq!(fixed.half_unit(3.0).to_bits(), power(-9).to_bits());
+    assert_eq!(fixed.smallest_normal(), None);
+    let many: FormatName = "mpfr:200".parse().unwrap();
+    assert_eq!(many.half_unit(-2.0).to_bits(), power(-199).to_bits());
 }

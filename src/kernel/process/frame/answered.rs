@@ -231,6 +231,8 @@ impl<'b> Answer<'b> {
             opacity: one(self.opacity).map(float),
             optical_depth: one(self.optical_depth).map(float),
             expected_depth: one(self.expected_depth).map(float),
+            // Asked as a task of its own.
+            emission: None,
             gradient: None,
             step: one(self.step).map(real).map(used_step).transpose()?,
             segments: one(self.segments)

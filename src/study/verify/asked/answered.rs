@@ -51,10 +51,10 @@ impl Asked<'_> {
         let mut failures = Vec::new();
         let mut in_range = true;
         let mut as_declared = Vec::new();
-        for (level, answers) in self.levels.iter().zip(&answers.levels) {
+        for (place, (level, renderings)) in self.levels.iter().zip(&answers.levels).enumerate() {
             let whole: Result<Vec<&Rendering>, &KernelError> =
-                answers.iter().map(Result::as_ref).collect();
-            let renderings = match whole {
+                renderings.iter().map(Result::as_ref).collect();
+            let renderings = match whole.and_then(|whole| answers.are_of(wanted, place, whole)) {
                 Ok(renderings) => renderings,
                 Err(error) => {
                     let n = level.count;
@@ -92,7 +92,7 @@ impl Asked<'_> {
                 Err(error) => failures.push(Failure::new(spot.count, error)),
             }
         }
-        let steady = is_steady(wanted, answers);
+        let steady = is_steady(wanted, answers, self.declaration.noise);
         let is_compared = steady && failures.is_empty() && self.is_compared(&radiances);
         let all: Option<Vec<bool>> = as_declared.into_iter().collect();
         let all = all.filter(|all| is_compared && !all.is_empty());
@@ -126,6 +126,7 @@ impl Asked<'_> {
         let used = self.used(level, renderings.first().copied())?;
         let count = used.count;
         let is_uneven = used.is_adaptive || matches!(level.cut, Cut::Spaced(..));
+        let brightest = self.brightest(level, &used.segments);
         let segments = wanted.lit(used.segments);
         let channel = wanted.channel;
         let given = Given {
@@ -139,7 +140,8 @@ impl Asked<'_> {
         let values = renderings.iter().filter_map(|one| wanted.of(one).cloned());
         let values: Vec<Float> = values.collect();
         let (n, step) = self.coordinate(level, count, given.step);
-        let mut floor = self.floor(wanted, exact, level, nominal.as_ref(), &given);
+        let allowance = self.allowance(wanted, exact, &given, brightest);
+        let mut floor = self.floor(wanted, exact, level, nominal.as_ref(), &given, allowance);
         floor += self.not_refined(level, &given)? + of_tables;
         // Of a volume a method that is no rule has not the samples.
         let has_samples =
@@ -147,8 +149,8 @@ impl Asked<'_> {
         let model = nominal.as_ref().filter(|_| has_samples).zip(values.first());
         let scale = exact.to_f64().abs();
         let as_declared = model.map(|(nominal, value)| {
-            let quantum = self.quantum(wanted);
-            nominal.agrees(value.to_f64(), scale, &given, self.declaration, quantum)
+            let allowance = allowance.whole();
+            nominal.agrees(value.to_f64(), scale, &given, self.declaration, allowance)
         });
         let middles = if self.declaration.stochastic {
             sampled::by_middles(wanted, &segments, given.step, channel)
@@ -168,6 +170,7 @@ impl Asked<'_> {
                 step,
                 values,
                 floor,
+                stored: allowance.stored,
                 nominal,
                 reported: reported.collect(),
             },
@@ -189,18 +192,15 @@ impl Asked<'_> {
             (Quantity::Radiance, _) | (Quantity::Opacity, Some(Method::Composited(_))) => {
                 nominal::at_level(self.declaration, given)
             }
-            (Quantity::OpticalDepth, Some(Method::Composited(compositing))) => {
+            (
+                Quantity::OpticalDepth | Quantity::Emission,
+                Some(Method::Composited(compositing)),
+            ) => {
                 let (place, _) = depth_rule(&compositing)?;
                 Some(nominal::depth_at_level(self.declaration, given, place))
             }
             _ => None,
         }
-    }
-
-    /// What answers are multiples of: radiances, and opacities, which are stored beside them.
-    pub(super) fn quantum(&self, wanted: &Wanted) -> Option<f64> {
-        let stored = matches!(wanted.quantity, Quantity::Radiance | Quantity::Opacity);
-        self.declaration.quantum.filter(|_| stored)
     }
 
     /// The methods that a channel is measured by: the declared one, or those of the declared order on rays that these can
@@ -248,12 +248,11 @@ impl Asked<'_> {
 
     /// As [`Line::right_to_quantum`].
     fn right_to_quantum(
-        &self,
-        wanted: &Wanted,
+        quantum: Option<f64>,
         levels: &[(u64, Sample)],
         peers: &[Peer],
     ) -> Option<bool> {
-        let quantum = self.quantum(wanted)?;
+        let quantum = quantum?;
         let size = |sample: &Sample| sample.error.to_f64().abs();
         let (_, finest) = levels.last()?;
         let of_peers = peers
@@ -302,6 +301,7 @@ impl Asked<'_> {
             error,
         };
         let levels = radiances.counted_samples();
+        let quantum = radiances.quantum();
         let peers = self.peers(wanted, &radiances, &levels, expected);
         let peers = peers.map_err(fit_error)?;
         let beside = spots.counted_samples();
@@ -344,7 +344,7 @@ impl Asked<'_> {
             failures,
             is_required: peers.all_show(expected),
             is_as_good: seen.last().is_some_and(Seen::is_as_good),
-            right_to_quantum: self.right_to_quantum(wanted, &levels, peers.all()),
+            right_to_quantum: Self::right_to_quantum(quantum, &levels, peers.all()),
             remarks,
             steady,
             reported,
@@ -354,13 +354,20 @@ impl Asked<'_> {
 }
 
 /// Whether a kernel answers the same twice: one that draws random numbers to the same seed.
-fn is_steady(wanted: &Wanted, answers: &Answers) -> bool {
+fn is_steady(wanted: &Wanted, answers: &Answers, noise: Option<f64>) -> bool {
     let first = answers.levels.first().and_then(|level| level.first());
     match (first, &answers.again) {
         (Some(Ok(first)), Some(Ok(again))) => {
             let (first, again) = (wanted.of(first), wanted.of(again));
             let are_none = |one: Option<&Float>| one.is_some_and(Float::is_nan);
-            first == again || (are_none(first) && are_none(again))
+            // Both are off by no more than that.
+            let is_noise = |noise: f64| {
+                let both = first.zip(again);
+                both.is_some_and(|(first, again)| {
+                    Float::with_val(first.prec(), first - again).abs() <= 2.0 * noise
+                })
+            };
+            first == again || (are_none(first) && are_none(again)) || noise.is_some_and(is_noise)
         }
         _ => true,
     }

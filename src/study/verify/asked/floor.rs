@@ -1,5 +1,6 @@
 //! What of an error is not the kernel's: its rounding, and what is left by what is not refined.
 
+use super::allowance::Allowance;
 use super::sampled::{at, cancelling, radiance};
 use super::{Asked, Level, Wanted};
 use crate::identify::rule::{Place, Rule};
@@ -25,6 +26,7 @@ impl Asked<'_> {
         level: &Level,
         declared: Option<&Nominal>,
         given: &Given<'_>,
+        allowance: Allowance,
     ) -> Float {
         let bits = exact.prec();
         let mut scale = Float::with_val(bits, exact.abs_ref());
@@ -48,13 +50,11 @@ impl Asked<'_> {
         } else {
             // Roundings of as many segments, by chance up and down; but an answer that is all rounding is no answer.
             floor *= (level.count as f64).sqrt();
-            floor = floor.min(&(scale * VISIBLE));
+            floor = floor.min(&Float::with_val(bits, &scale * VISIBLE));
         }
-        // Rounded once, at the end.
-        if let Some(quantum) = self.quantum(wanted) {
-            floor += quantum / 2.0;
-        }
-        floor
+        // Nor is one that is all errors of functions, however bad they are said to be.
+        floor += Float::with_val(bits, allowance.functions).min(&(scale * VISIBLE));
+        floor + allowance.chance + allowance.stored
     }
 
     /// What the rounding of another quantity than a radiance is at least measured by: 1 − T and −ln T are known to a unit of
@@ -62,7 +62,8 @@ impl Asked<'_> {
     fn unit(&self, wanted: &Wanted, given: &Given<'_>) -> Option<f64> {
         let length = self.subject.length().to_f64();
         match wanted.quantity {
-            Quantity::Radiance => None,
+            // The emission is a sum of what is given.
+            Quantity::Radiance | Quantity::Emission => None,
             Quantity::Opacity | Quantity::OpticalDepth => Some(1.0),
             Quantity::ExpectedDepth if wanted.is_divided() => {
                 let composed =

@@ -29,7 +29,9 @@ pub(super) fn radiance(rule: &Rule, segments: &Segments, step: f64, channel: usi
 pub(super) fn by_middles(wanted: &Wanted, segments: &Segments, step: f64, channel: usize) -> f64 {
     let rule = at(Place::Middle);
     match wanted.quantity {
-        Quantity::OpticalDepth => summed(segments, Place::Middle, Native::<f64>::new()),
+        Quantity::OpticalDepth | Quantity::Emission => {
+            summed(segments, Place::Middle, Native::<f64>::new())
+        }
         Quantity::ExpectedDepth if wanted.is_divided() => {
             let format = Native::<f64>::new();
             let opacity = 1.0 - rule.composed(segments, step, format).passes;

@@ -94,8 +94,8 @@ impl Wanted {
         let one = Expr::number(1);
         let emission = match (quantity, &ray.formulas().optical_depth) {
             (Quantity::ExpectedDepth, _) => Expr::symbol("lambda"),
-            (Quantity::OpticalDepth, Some(depth)) => depth.exp(),
-            (Quantity::Radiance | Quantity::Opacity | Quantity::OpticalDepth, _) => one.clone(),
+            (Quantity::OpticalDepth | Quantity::Emission, Some(depth)) => depth.exp(),
+            _ => one.clone(),
         };
         let is_divided = is_divided(quantity, weights);
         let even = is_divided.then(|| lit(ray, &name, &one)).transpose();
@@ -133,7 +133,7 @@ impl Wanted {
                     emission.for_each(|c| *c -= self.background);
                 }
                 Quantity::ExpectedDepth => samples.emission = vec![samples.lambda.clone()],
-                Quantity::Opacity | Quantity::OpticalDepth => {
+                Quantity::Opacity | Quantity::OpticalDepth | Quantity::Emission => {
                     samples.emission = vec![vec![1.0; samples.lambda.len()]];
                 }
             }
@@ -169,7 +169,7 @@ impl Wanted {
     /// Methods of that order, each run on a number of segments in a format.
     pub(in crate::study::verify) fn methods(&self, order: f64) -> Vec<Run<'_>> {
         let is_of_order = |rule: &Rule| (f64::from(rule.order()) - order).abs() < f64::EPSILON;
-        if self.quantity == Quantity::OpticalDepth {
+        if matches!(self.quantity, Quantity::OpticalDepth | Quantity::Emission) {
             let rules = DEPTHS.into_iter().filter(is_of_order);
             return rules
                 .map(|rule| Run::Depth(&self.case, Inner::PerSegment(rule)))
@@ -327,11 +327,13 @@ pub(in crate::study::verify) fn wanted<'r>(
         }
     }
     let came = answers.any(|rendering| rendering.opacity.is_some());
-    for quantity in Quantity::ALL {
+    for quantity in Quantity::MEASURED {
         let is_wanted = match quantity {
             Quantity::Radiance => false,
             Quantity::Opacity => came || declaration.has(quantity),
-            Quantity::OpticalDepth | Quantity::ExpectedDepth => declaration.has(quantity),
+            Quantity::OpticalDepth | Quantity::ExpectedDepth | Quantity::Emission => {
+                declaration.has(quantity)
+            }
         };
         if is_wanted {
             all.push(Wanted::other(
