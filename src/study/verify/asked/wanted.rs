@@ -151,7 +151,8 @@ impl Wanted {
         order: f64,
         levels: &'s [&'s Segments],
     ) -> Vec<Run<'s>> {
-        if self.quantity == Quantity::OpticalDepth || self.is_divided() {
+        let is_depth = matches!(self.quantity, Quantity::OpticalDepth | Quantity::Emission);
+        if is_depth || self.is_divided() {
             return Vec::new();
         }
         let run = |method: Method| {
