@@ -4,6 +4,7 @@ use super::deviation::right_of;
 use super::rule::{Lattice, Law, Place, Rule, Scheme, Wall};
 use super::{Identification, stated};
 use crate::kernel::{Declaration, Sampling};
+use crate::method::{Expected, Layers, Method};
 
 /// Thresholds are told to this part of them.
 const SAME: f64 = 1e-6;
@@ -21,13 +22,31 @@ pub(super) fn expected(found: &Identification, declaration: &Declaration) -> Vec
         }],
         (Some(rule), None) => vec![Rule {
             lattice: rule.lattice.map(Lattice::covering),
-            ..placed(right_of(rule), declaration)
+            ..of_layers(rule, declaration).unwrap_or_else(|| placed(right_of(rule), declaration))
         }],
         (None, Some(declared)) => vec![declared],
         (None, None) => sampled(found, declaration),
     };
     let but_for = |rule| but_for(on_lattice(rule, found), found, declaration);
     rules.into_iter().map(but_for).collect()
+}
+
+/// The rule of layers that it is, where that has the order that is declared: nobody who asks for no more errs by it.
+fn of_layers(found: &Rule, declaration: &Declaration) -> Option<Rule> {
+    let claimed = declaration.order?;
+    let place = place(declaration);
+    let mut rules = Layers::ALL.into_iter().filter_map(|layers| {
+        let method = Method::Layered(layers);
+        let suffices = matches!(method.order(), Expected::Order(own) if own >= claimed);
+        stated(&method).filter(|_| suffices)
+    });
+    rules.find(|rule| {
+        let is_placed = match (&rule.scheme, place) {
+            (Scheme::Sample { place, .. }, Some(declared)) => *place == declared,
+            (Scheme::Sample { .. } | Scheme::Segments { .. }, _) => true,
+        };
+        is_placed && rule.scheme == found.scheme
+    })
 }
 
 /// Where a declaration says that the one sample of a segment lies.

@@ -445,3 +445,24 @@ fn no_level_is_a_multiple_of_eight_and_breaks_keep_their_place() {
         assert!(places.iter().all(|place| *place == places[0]), "{places:?}");
     }
 }
+
+/// A voxel that is attenuated by all of itself, as in emission tomography: order 1, and a rule of layers by name.
+#[test]
+fn a_rule_of_layers_is_right_where_it_has_the_order_declared() {
+    let whole_own = |declaration| {
+        of_segments(declaration, |_, segments, channel| {
+            let (mut radiance, mut depth) = (0.0, 0.0);
+            for (tau, c, length) in middles(segments, channel) {
+                depth += tau * length;
+                radiance += f64::exp(-depth) * tau * length * c;
+            }
+            radiance
+        })
+    };
+    confirmed(&whole_own(of_order(1.0)));
+    let second = whole_own(of_order(2.0));
+    not_confirmed(&second);
+    let found = second.identification.as_ref().unwrap();
+    let names = found.examined.deviations.iter().map(|found| found.name);
+    assert_eq!(names.collect::<Vec<_>>(), ["weight"]);
+}
