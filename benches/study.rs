@@ -12,7 +12,7 @@ use volver::case::{Case, SymbolicCase, catalogue};
 use volver::method::Method;
 use volver::real::FormatName;
 use volver::study::Silent;
-use volver::study::sweep::{Header, Journal, Sweep, run};
+use volver::study::sweep::{Errors, Header, Journal, Sweep, run};
 
 const INNER: [&str; 5] = [
     "riemann-left",
@@ -107,6 +107,7 @@ fn sweep(cases: u64, finest: u64) -> Sweep {
         levels: std::iter::successors(Some(8), |n| Some(2 * n))
             .take_while(|n| *n <= finest)
             .collect(),
+        errors: Errors::Split,
     }
 }
 

@@ -1,7 +1,9 @@
 //! Work that is too much is refused before it begins, with what it would take.
 
 use super::Failure;
+use std::fmt;
 use std::fs;
+use std::io::{self, IsTerminal, Write};
 
 const GIB: f64 = (1_u64 << 30) as f64;
 /// More memory needs --yes.
@@ -9,6 +11,8 @@ const USUAL_BYTES: f64 = 2.0 * GIB;
 /// More time needs --yes, of what people wait for beside other things, and of a single number.
 pub(super) const HOUR: f64 = 3600.0;
 pub(super) const MINUTE: f64 = 60.0;
+/// Seconds that are worth a word beforehand.
+const A_WHILE: f64 = 10.0;
 /// More can no machine address, of those that exist.
 const ADDRESSABLE: f64 = (1_u64 << 47) as f64;
 
@@ -43,12 +47,26 @@ impl Budget<'_> {
         if self.bytes <= most.0 && self.seconds <= most.1 {
             return Ok(());
         }
-        Err(Failure::Usage(format!(
-            "{} takes about {} of memory and {} (allowed: up to {allowed})",
-            self.what,
-            size(self.bytes),
-            time(self.seconds),
-        )))
+        Err(Failure::Usage(format!("{self} (allowed: up to {allowed})")))
+    }
+
+    /// Says it on the terminal, where there is one, before work that takes a while.
+    pub(super) fn announce(&self) {
+        if self.seconds >= A_WHILE && io::stderr().is_terminal() {
+            // Who does not hear it has lost nothing.
+            let _ = writeln!(io::stderr(), "{self}");
+        }
+    }
+}
+
+impl fmt::Display for Budget<'_> {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let (bytes, seconds) = (size(self.bytes), time(self.seconds));
+        write!(
+            f,
+            "{} takes about {bytes} of memory and {seconds}",
+            self.what
+        )
     }
 }
 

@@ -1,7 +1,8 @@
-//! `volver study`: cases × methods × formats × levels, every error split into parts.
+//! `volver study`: cases × methods × formats × levels, every error split into parts or known as a whole.
 
 pub(super) mod asked;
 pub(super) mod cases;
+mod errors;
 pub(super) mod formats;
 pub(super) mod levels;
 pub(super) mod methods;
@@ -14,7 +15,7 @@ use asked::Asking;
 use clap::Args;
 use formats::Formats;
 pub(super) use formats::names as format_names;
-use std::path::{Path, PathBuf};
+use std::path::PathBuf;
 use std::thread;
 use volver::case::Case;
 use volver::real::FormatName;
@@ -30,7 +31,11 @@ const EXAMPLES: &str = "\
 Every error of every method on every case in every format at every n is split into
 discretization, input rounding and arithmetic rounding, which are fitted each:
 docs/study.md says how. FILE is a study.toml, with the keys cases, methods,
-formats, levels and sweep-bits ('volver schema study'); options go before it.
+formats, levels, sweep-bits and errors ('volver schema study'); options go before it.
+
+With --errors total errors are known as a whole alone, with orders and verdicts on them,
+at a small part of the time and memory: nothing is replayed, and rays of many segments
+are gone along without keeping them. What tells of roundoff by itself is left out.
 
 CASES are names that 'volver cases' lists, NAME/CHANNEL, @TAG for all cases with a
 tag, or paths of case files; every channel is a case of its own. METHODS are nested
@@ -42,12 +47,14 @@ preintegrated/linear/linear: docs/study.md has them all. FORMATS are f16, bf16, 
 ieee:BITS,EMIN,EMAX, fixed:INTEGER.FRACTION or mpfr:BITS. Lists are separated by
 commas, blanks or semicolons; options may be repeated.
 
-The exit code is 1 where a discretization error contradicts theory.
+The exit code is 1 where a discretization error contradicts theory, or with --errors
+total the order of the whole error above the floor of rounding.
 
 Examples:
   volver study --cases sine-squared --methods trapezoid/trapezoid,simpson/simpson --levels 8..512
   volver study --cases sine-squared --formats f32,ieee:11,-14,15 --levels 8..128 --csv -
   volver study --cases rgb-transfer/red --methods gauss-2/simpson --levels 8..128 --json -
+  volver study --cases sine-squared --errors total --levels 8..65536
   volver study --cases sine-squared --formats f32 --levels 8..64 --sweep-bits 8..24 --quiet";
 
 /// Split errors into discretization and roundoff, for cases × methods × formats × levels
@@ -74,6 +81,9 @@ pub(crate) struct Study {
     /// Map correct digits over n and the bits of mpfr:A to mpfr:B
     #[arg(long, value_name = "A..B")]
     sweep_bits: Option<String>,
+    /// Errors split into parts, or as a whole: split or total [default: split]
+    #[arg(long, value_name = "WHICH")]
+    errors: Option<String>,
     /// Keep results, a page, tables and plots in a directory
     #[arg(long, value_name = "DIR")]
     out: Option<PathBuf>,
@@ -114,7 +124,9 @@ impl Study {
         } = formats::chosen(&asking, &self.formats, self.sweep_bits.as_deref())?;
         let methods = methods::chosen(&asking, &self.methods)?;
         let levels = levels::chosen(&asking, self.levels.as_deref())?;
+        let errors = errors::chosen(&asking, self.errors.as_deref())?;
         let sweep = Sweep {
+            errors,
             cases: waiting("deriving", || cases::chosen(&asking, &self.cases))?,
             methods,
             formats,
@@ -129,6 +141,7 @@ impl Study {
         };
         budget.check(self.yes)?;
         self.output().check()?;
+        budget.announce();
         let header = Header::new(&sweep);
         let lengths: Vec<f64> = sweep
             .cases
@@ -159,20 +172,19 @@ impl Study {
         threads: usize,
         estimate: &Estimate,
     ) -> Result<Vec<volver::study::sweep::Unit>, Failure> {
-        let temporary = match &self.out {
-            Some(_) => None,
-            None => Some(tempfile::tempdir().map_err(said)?),
+        let mut journal = match &self.out {
+            Some(directory) => {
+                render::make_directory(directory)?;
+                let path = directory.join(JOURNAL);
+                let journal = if self.resume {
+                    Journal::resume(&path, header)
+                } else {
+                    Journal::begin(&path, header)
+                };
+                journal.map_err(said)?
+            }
+            None => Journal::unkept(),
         };
-        let directory = temporary.as_ref().map(tempfile::TempDir::path);
-        let directory = directory.or(self.out.as_deref()).unwrap_or(Path::new("."));
-        render::make_directory(directory)?;
-        let path = directory.join(JOURNAL);
-        let mut journal = if self.resume {
-            Journal::resume(&path, header)
-        } else {
-            Journal::begin(&path, header)
-        }
-        .map_err(said)?;
         let bar = Bar::new(estimate.work_units());
         let is_done =
             |(name, _): &(String, _), format: &FormatName| journal.has(name, &format.to_string());

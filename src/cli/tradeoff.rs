@@ -10,7 +10,7 @@ use std::path::PathBuf;
 use std::thread;
 use volver::render;
 use volver::report::tradeoff;
-use volver::study::sweep::{Header, Sweep};
+use volver::study::sweep::{Errors, Header, Sweep};
 use volver::study::tradeoff::{
     Cost, Journal, Pin, Results, Settings, bytes, default_formats, default_methods, estimate, run,
     seconds,
@@ -164,6 +164,8 @@ impl Tradeoff {
         };
         let levels = self.levels.as_deref().unwrap_or(LEVELS);
         Ok(Sweep {
+            // What a journal of studies says of errors says nothing of this one.
+            errors: Errors::default(),
             methods,
             formats,
             levels: levels::chosen(&asking, Some(levels))?,

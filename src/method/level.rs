@@ -7,9 +7,12 @@ use super::{
     Scope, Stop, Transmittances, composite,
 };
 use crate::case::{AnyNodes, Nodes};
-use crate::real::Format;
+use crate::real::{Format, row};
 use kept::Kept;
 use std::borrow::Cow;
+
+/// What an attenuation is made by.
+type Way = (Inner, Exponential, Scope);
 
 /// One ray of n segments, under any number of methods.
 ///
@@ -18,7 +21,11 @@ use std::borrow::Cow;
 pub struct Level<'a, F: Format> {
     nodes: AnyNodes<'a, F>,
     n: u64,
-    attenuations: Kept<(Inner, Exponential, Scope), Attenuation<F::Real>>,
+    attenuations: Kept<Way, Attenuation<F::Real>>,
+    /// C τ at boundaries.
+    sources: Kept<(), Vec<F::Real>>,
+    /// C τ T there.
+    terms: Kept<Way, Vec<F::Real>>,
     colors: Kept<Color, Vec<F::Real>>,
     opacities: Kept<Opacity, Vec<F::Real>>,
 }
@@ -36,6 +43,8 @@ impl<'a, F: Format> Level<'a, F> {
             nodes,
             n,
             attenuations: Kept::new(),
+            sources: Kept::new(),
+            terms: Kept::new(),
             colors: Kept::new(),
             opacities: Kept::new(),
         }
@@ -135,9 +144,35 @@ impl<'a, F: Format> Level<'a, F> {
     }
 
     fn nested(&mut self, method: &Nested) -> Result<F::Real, MethodError> {
-        let nodes = self.nodes;
+        let (nodes, n) = (self.nodes, self.n);
         let attenuation = self.attenuation(method)?;
-        method.outer.radiance(&nodes, attenuation)
+        match method.outer.0.intervals() {
+            Some(intervals) => {
+                let outer = method.outer;
+                outer.radiance_of_terms(&nodes, n, self.terms(method)?, intervals)
+            }
+            None => method.outer.radiance(&nodes, attenuation),
+        }
+    }
+
+    /// C τ T at boundaries.
+    fn terms(&mut self, method: &Nested) -> Result<&[F::Real], MethodError> {
+        let (nodes, n) = (self.nodes, self.n);
+        self.attenuation(method)?;
+        let sources = self.sources.get_or_compute((), |_| {
+            let column = nodes.boundaries(n);
+            let both = column.emission.iter().zip(&column.extinction);
+            Ok::<_, MethodError>(row(both.map(|(emission, tau)| emission.clone() * tau)))
+        })?;
+        let way = (method.inner, method.exponential, method.scope);
+        let attenuations = &self.attenuations;
+        let terms = self.terms.get_or_compute(way, |_| {
+            let transmittances = attenuations.find(|known| *known == way);
+            let transmittances = transmittances.map_or(&[][..], Attenuation::at_boundaries);
+            let both = sources.iter().zip(transmittances);
+            Ok::<_, MethodError>(row(both.map(|(source, t)| source.clone() * t)))
+        })?;
+        Ok(terms)
     }
 
     fn attenuation(&mut self, method: &Nested) -> Result<&Attenuation<F::Real>, MethodError> {

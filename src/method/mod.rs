@@ -15,6 +15,7 @@ mod name;
 mod nested;
 mod outer;
 pub(crate) mod preintegrated;
+mod stream;
 mod theorem;
 
 pub use attenuation::Attenuation;
@@ -81,6 +82,36 @@ impl Method {
             Method::Composited(compositing) => compositing.radiance(&nodes, n),
             Method::Preintegrated(preintegrated) => preintegrated.radiance(&nodes, n),
             Method::Layered(layers) => layers.radiance(&nodes, n),
+        }
+    }
+
+    /// The radiance in one pass over the ray, with the same bits as [`Method::radiance`]: in memory that does not grow
+    /// with n, where the method [streams](Method::streams) and `nodes` keep nothing, as those of
+    /// [`Fresh`](crate::case::Fresh) do.
+    ///
+    /// # Errors
+    /// As [`Method::radiance`].
+    pub fn stream<F: Format>(
+        &self,
+        nodes: AnyNodes<'_, F>,
+        n: u64,
+    ) -> Result<F::Real, MethodError> {
+        let in_one_pass = match self {
+            Method::Nested(nested) => stream::radiance(nested, nodes, n),
+            _ => None,
+        };
+        in_one_pass.unwrap_or_else(|| self.radiance_of_any(nodes, n))
+    }
+
+    /// Whether [`Method::stream`] keeps no ray: not where samples are composited from the far end, depths come of pairs
+    /// of segments or of random places, or segments are pre-integrated.
+    #[must_use]
+    pub fn streams(&self) -> bool {
+        match self {
+            Method::Nested(nested) => stream::knows(nested),
+            Method::Composited(compositing) => compositing.order != CompositingOrder::BackToFront,
+            Method::Preintegrated(_) => false,
+            Method::Layered(_) => true,
         }
     }
 

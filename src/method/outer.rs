@@ -95,18 +95,39 @@ impl Outer {
         let format = nodes.format();
         let weights = CompositeWeights::new(self.0, intervals, format)?;
         let column = nodes.boundaries(n);
-        let last = column.extinction.len() - 1;
         let mut sum = format.int(0);
-        let repeating = weights.repeating.iter().cycle();
-        for (i, (term, weight)) in terms(&column, transmittance).zip(repeating).enumerate() {
-            let weight = match i {
-                0 => &weights.first,
-                i if i == last => &weights.last,
-                _ => weight,
-            };
+        for (term, weight) in terms(&column, transmittance).zip(weights.over(n)) {
             sum += &(term * weight);
         }
         Ok(sum)
+    }
+
+    /// The same of C τ T at boundaries, as another rule of these had it; with the step.
+    pub(super) fn radiance_of_terms<N: Nodes>(
+        self,
+        nodes: &N,
+        n: u64,
+        terms: &[Number<N>],
+        intervals: u32,
+    ) -> Result<Number<N>, MethodError> {
+        require_multiple(&self.0, n, self.segments_multiple())?;
+        let format = nodes.format();
+        let weights = CompositeWeights::new(self.0, intervals, format)?;
+        let mut sum = format.int(0);
+        let mut weighted = format.int(0);
+        let one = format.int(1);
+        // Of rules whose weights inside are 1 there is nothing to multiply.
+        let plain = weights.repeating.iter().all(|weight| *weight == one);
+        for (i, (term, weight)) in terms.iter().zip(weights.over(n)).enumerate() {
+            if plain && i > 0 && i < terms.len() - 1 {
+                sum += term;
+            } else {
+                weighted.set(term);
+                weighted *= weight;
+                sum += &weighted;
+            }
+        }
+        Ok(sum * &format.ratio(&(Rational::from(nodes.length()) / n)))
     }
 
     /// ∑ₖ wₖ ∑ⱼ C τ T at the nodes inside the segments, in units of the step.
@@ -179,6 +200,14 @@ impl<R: Real> CompositeWeights<R> {
             last: format.ratio(back),
             repeating: row(std::iter::once(shared).chain(inner)),
         })
+    }
+
+    /// The weights of n + 1 boundaries, n being a multiple of the group.
+    fn over(&self, n: u64) -> impl Iterator<Item = &R> {
+        let inside = usize::try_from(n.saturating_sub(1)).unwrap_or(usize::MAX);
+        let repeating = self.repeating.iter().cycle().skip(1).take(inside);
+        let first = std::iter::once(&self.first);
+        first.chain(repeating).chain(std::iter::once(&self.last))
     }
 }
 

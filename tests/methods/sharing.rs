@@ -2,7 +2,7 @@
 
 use half::f16;
 use rug::Rational;
-use volver::case::{Case, Fresh, Nodes, Reciprocal, Shared, SineSquared};
+use volver::case::{AnyNodes, Case, Fresh, Nodes, Reciprocal, Shared, SineSquared};
 use volver::method::{
     Color, Exponential, Filling, Inner, Integration, Interpolant, LastSegment, Level, Method,
     Nested, Opacity, Outer, Preintegrated, Scope,
@@ -111,6 +111,8 @@ fn sharing_changes_nothing<C: Case, F: Format>(case: &C, format: F, methods: &[M
             let what = format!("{method} on {n} segments in {format}");
             assert_same(&level.radiance(method).unwrap(), &alone, &what);
             assert_same(&method.radiance(&shared, n).unwrap(), &alone, &what);
+            let in_one_pass = method.stream(AnyNodes::new(&fresh), n).unwrap();
+            assert_same(&in_one_pass, &alone, &what);
             assert_eq!(values[column].to_rational(), alone.to_rational(), "{what}");
         }
     }
@@ -242,4 +244,41 @@ fn composited_methods_keep_every_bit() {
     .into();
     in_every_format(&SineSquared, &methods);
     in_every_format(&Reciprocal, &methods);
+}
+
+/// As many nodes as rules look at, each once; a method that streams asks for no column.
+#[test]
+fn one_pass_looks_at_every_node_once() {
+    let n = 60;
+    for (name, nodes) in [
+        ("riemann-left/riemann-right", n + 1),
+        ("trapezoid/boole", n + 1),
+        ("simpson/simpson", 2 * n + 1),
+        ("boole/trapezoid", 4 * n + 1),
+        ("gauss-3/simpson", 4 * n + 1),
+        // Middles, and the quarters before them.
+        ("midpoint/midpoint", 2 * n),
+        // Ends, middles for both rules, and the quarters.
+        ("simpson/midpoint", 3 * n + 1),
+        ("front-to-back/middle/expm1", n),
+        ("layers/middle", 2 * n + 1),
+    ] {
+        let method: Method = name.parse().unwrap();
+        let fresh = Fresh::new(&SineSquared, Native::<f64>::new());
+        method.stream(AnyNodes::new(&fresh), n).unwrap();
+        assert!(method.streams(), "{name}");
+        assert_eq!(fresh.evaluations(), nodes, "{name}");
+    }
+    for name in [
+        "back-to-front/middle/expm1",
+        "monte-carlo@1/trapezoid",
+        "simpson-pairs-parabola/simpson",
+        "preintegrated/linear/linear",
+    ] {
+        assert!(!name.parse::<Method>().unwrap().streams(), "{name}");
+    }
+    let fresh = Fresh::new(&SineSquared, Native::<f64>::new());
+    let boole: Method = "trapezoid/boole".parse().unwrap();
+    let refused = boole.stream(AnyNodes::new(&fresh), 6).unwrap_err();
+    assert_eq!(Err(refused), boole.radiance(&fresh, 6));
 }

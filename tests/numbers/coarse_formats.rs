@@ -7,7 +7,7 @@ use volver::convergence::Verdict;
 use volver::method::Method;
 use volver::real::FormatName;
 use volver::study::Silent;
-use volver::study::sweep::{Header, Journal, Sweep, Theory, run, summarize};
+use volver::study::sweep::{Errors, Header, Journal, Sweep, Theory, run, summarize};
 
 const CASES: [&str; 14] = [
     "sine-squared",
@@ -55,6 +55,7 @@ fn few_bits_never_confirm_a_wrong_order() {
             .map(|name| name.parse::<FormatName>().unwrap())
             .into(),
         levels: (2..=9).map(|k| 1 << k).collect(),
+        errors: Errors::Split,
     };
     let directory = tempfile::tempdir().unwrap();
     let header = Header::new(&sweep);
@@ -64,8 +65,9 @@ fn few_bits_never_confirm_a_wrong_order() {
     for unit in journal.ordered(&header) {
         for row in &unit.rows {
             let what = format!("{} on {} in {}", row.method, unit.case, unit.format);
-            let summary = summarize(unit, row, 1.0).unwrap();
-            let (total, limit) = (&summary.total, &summary.discretization);
+            let summary = summarize(unit, row, 1.0, Errors::Split).unwrap();
+            let split = summary.split.as_ref().unwrap();
+            let (total, limit) = (&summary.total, &split.discretization);
             match total.verdict {
                 Verdict::Confirmed | Verdict::TooLow | Verdict::TooHigh => {
                     // An interval that says something has to hold what the method does without roundoff: the

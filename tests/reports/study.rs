@@ -15,6 +15,7 @@ fn odd() -> Results {
     let blank = |level: &LevelRecord, state| LevelRecord {
         state,
         total: None,
+        floor: None,
         discretization: None,
         truncation: None,
         input: None,

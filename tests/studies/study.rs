@@ -13,7 +13,7 @@ use std::process::Stdio;
 use std::thread::sleep;
 use std::time::Duration;
 use volver::case::{catalogue, manufacture::manufacture};
-use volver::study::sweep::{Estimate, Sweep};
+use volver::study::sweep::{Errors, Estimate, Sweep};
 
 fn volver(arguments: &[&str]) -> Command {
     let mut command = cargo_bin_cmd!("volver");
@@ -427,6 +427,10 @@ fn bad_input_is_named_in_one_line() {
             "--sweep-bits: '1..9' is no range of bits",
         ),
         (
+            &["--errors", "totl"],
+            "--errors: unknown errors 'totl' (allowed: split, total)",
+        ),
+        (
             &["--resume"],
             "the following required arguments were not provided: --out <DIR>",
         ),
@@ -569,6 +573,7 @@ fn what_a_study_takes_is_told_in_fitting_units() {
             methods: vec!["trapezoid/trapezoid".parse().unwrap()],
             formats: vec!["f64".parse().unwrap()],
             levels: (3..=exponent).map(|k| 1 << k).collect(),
+            errors: Errors::Split,
         };
         let estimate = Estimate::new(&sweep, 2);
         let levels = format!("8..{}", 1_u64 << exponent);
@@ -674,7 +679,9 @@ fn the_schema_is_published_and_the_documented_example_keeps_to_it() {
             }
             toml::Value::String(_) => {
                 assert!(
-                    property["type"] == "string" || property["$ref"] == "#/$defs/FileLevels",
+                    property["type"] == "string"
+                        || property["$ref"] == "#/$defs/FileLevels"
+                        || property["$ref"] == "#/$defs/Errors",
                     "{key}"
                 );
             }
@@ -702,7 +709,7 @@ fn the_examples_of_the_help_run() {
         volver(&arguments).assert().code(0).stderr("");
         count += 1;
     }
-    assert_eq!(count, 4);
+    assert_eq!(count, 5);
 }
 
 /// C is 0/0 at 0, so that nothing says that it has a value there.
@@ -762,4 +769,109 @@ fn a_radiance_that_is_an_estimate_is_named_as_one() {
     let page = fs::read_to_string(out.join("study.md")).unwrap();
     assert!(page.contains("I(D): an estimate: no bound"), "{page}");
     assert_eq!(run(&["--resume"])["unproved"], first["unproved"]);
+}
+
+/// Errors as a whole: every output has them, and none has anything of their parts.
+#[test]
+fn a_study_of_total_errors_has_orders_and_nothing_of_parts() {
+    let parent = tempfile::tempdir().unwrap();
+    let (one, two) = (parent.path().join("one"), parent.path().join("two"));
+    let errors = ["--errors", "total"];
+    study(&one, &[&errors[..], &["--threads", "1"]].concat())
+        .assert()
+        .code(0)
+        .stderr("")
+        .stdout(contains("sine-squared, trapezoid/trapezoid: theory 2\n"))
+        .stdout(contains("18 lines, total: "))
+        .stdout(contains("n*").not());
+    // Begun, and gone on with.
+    fs::create_dir(&two).unwrap();
+    let journal = fs::read_to_string(one.join("study.jsonl")).unwrap();
+    let begun: Vec<&str> = journal.split_inclusive('\n').take(4).collect();
+    fs::write(two.join("study.jsonl"), begun.concat()).unwrap();
+    study(&two, &[&errors[..], &["--quiet", "--resume"]].concat())
+        .assert()
+        .code(0);
+    let found = files(&one);
+    assert_same(&files(&two), &found);
+    let text = |name: &str| String::from_utf8(found[name].clone()).unwrap();
+    let csv = text("study.csv");
+    assert!(csv.starts_with("case,method,format,bits,n,state,total,floor,reason\n"));
+    assert_eq!(csv.lines().count(), 1 + 2 * 3 * (3 + 4) * 6);
+    for name in ["study.csv", "study.json", "study.tex", "study.jsonl"] {
+        for part in ["discretization", "arithmetic", "input", "crossing", "best"] {
+            assert!(!text(name).contains(part), "{part} in {name}");
+        }
+    }
+    assert!(text("study.md").contains("need --errors split and are left out"));
+    assert_eq!(
+        found
+            .keys()
+            .filter(|name| name.starts_with("errors-"))
+            .count(),
+        6
+    );
+    let document: Value = serde_json::from_slice(&found["study.json"]).unwrap();
+    assert_eq!(document["settings"]["errors"], "total");
+    let first = &document["rows"][0];
+    assert_eq!(first["states"]["total"], 6);
+    let order = document["rows"]
+        .as_array()
+        .unwrap()
+        .iter()
+        .find(|row| row["format"] == "mpfr:70");
+    let order = &order.unwrap()["total"];
+    assert_eq!(order["verdict"], "Confirmed");
+    assert!((order["order"].as_f64().unwrap() - 2.0).abs() < 0.02);
+    // The other kind does not go on with it.
+    study(&one, &["--quiet", "--resume"])
+        .assert()
+        .code(2)
+        .stdout("")
+        .stderr(contains(
+            "another study: its errors are total, not split (allowed: ",
+        ))
+        .stderr(predicate::function(|text: &str| text.lines().count() == 1));
+}
+
+#[test]
+fn a_file_asks_for_total_errors_too_and_wrong_words_have_their_line() {
+    let parent = tempfile::tempdir().unwrap();
+    let file = parent.path().join("study.toml");
+    let run = |errors: &str| {
+        let text = format!("cases = [\"homogeneous\"]\nlevels = \"8..64\"\nerrors = {errors}\n");
+        fs::write(&file, text).unwrap();
+        volver(&[file.to_str().unwrap(), "--csv", "-"])
+    };
+    run("\"total\"")
+        .assert()
+        .code(0)
+        .stdout(starts_with("case,method,format,bits,n,state,total,floor,"));
+    run("\"all\"").assert().code(2).stdout("").stderr(contains(
+        "study.toml, line 3: unknown errors 'all' (allowed: split, total)\n",
+    ));
+    // The option goes before it.
+    let mut command = run("\"total\"");
+    command.args(["--errors", "split"]);
+    command
+        .assert()
+        .code(0)
+        .stdout(contains(",discretization,"));
+}
+
+/// Errors that stay where a ray ends early are no wrong order.
+#[test]
+fn light_behind_the_end_of_a_ray_is_no_contradiction() {
+    volver(&[
+        "--cases",
+        "homogeneous",
+        "--errors",
+        "total",
+        "--formats",
+        "f64",
+    ])
+    .args(["--methods", "front-to-back/middle/expm1/stop=1:3"])
+    .args(["--levels", "8..4096"])
+    .assert()
+    .code(0);
 }

@@ -7,3 +7,4 @@ mod fixture;
 mod journal;
 mod run;
 mod summary;
+mod total;

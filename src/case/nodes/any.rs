@@ -16,6 +16,16 @@ impl<'a, F: Format> AnyNodes<'a, F> {
     pub fn new<N: Nodes<Format = F>>(nodes: &'a N) -> Self {
         AnyNodes(nodes)
     }
+
+    /// [`Nodes::march`], for as long as the nodes are there.
+    pub(crate) fn marching(self, n: u64) -> Transfers<'a, F> {
+        self.0.march(n)
+    }
+
+    /// [`Nodes::march_inside`], for as long as the nodes are there.
+    pub(crate) fn marching_inside(self, n: u64, offset: Rational) -> Transfers<'a, F> {
+        self.0.march_inside(n, offset)
+    }
 }
 
 type Transfers<'a, F> = Box<dyn Iterator<Item = Transfer<<F as Format>::Real>> + 'a>;

@@ -4,7 +4,7 @@ use crate::case::Unproved;
 use crate::convergence::Fit;
 use crate::convergence::{Laws, serialize_float};
 use crate::report::ReportError;
-use crate::study::sweep::{Bits, Line, Results, State, Theory};
+use crate::study::sweep::{Bits, Errors, Line, Results, SplitSummary, State, Theory};
 use rug::Float;
 use serde::Serialize;
 use std::collections::BTreeMap;
@@ -33,6 +33,8 @@ struct Settings<'a> {
     formats: &'a [String],
     levels: &'a [u64],
     sweep_bits: Option<[u32; 2]>,
+    #[serde(skip_serializing_if = "Errors::is_split")]
+    errors: Errors,
 }
 
 #[derive(Serialize)]
@@ -45,14 +47,22 @@ struct RowOf<'a> {
     radiance: Float,
     expected: Theory,
     contradicts_theory: bool,
-    discretization: &'a Fit,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    discretization: Option<&'a Fit>,
     total: &'a Fit,
+    #[serde(flatten)]
+    models: Option<Models<'a>>,
+    /// Levels by what became of them.
+    states: BTreeMap<&'static str, usize>,
+}
+
+/// What needs errors that are split.
+#[derive(Serialize)]
+struct Models<'a> {
     laws: &'a Laws,
     crossing: Option<f64>,
     best: Option<Best>,
     bits_needed: &'a [Bits],
-    /// Levels by what became of them.
-    states: BTreeMap<&'static str, usize>,
 }
 
 #[derive(Serialize)]
@@ -63,7 +73,8 @@ struct Best {
 }
 
 /// `{"volver": version, "settings": {…}, "rows": […]}`, indented, with a newline at the end. Rows have the
-/// fields of [`Summary`](crate::study::sweep::Summary); the errors themselves are in the CSV.
+/// fields of [`Summary`](crate::study::sweep::Summary); the errors themselves are in the CSV. Where errors are known as a whole
+/// alone, rows have nothing of their parts.
 ///
 /// # Errors
 /// [`ReportError::Json`], which no study is known to cause.
@@ -84,6 +95,7 @@ pub fn json(results: &Results) -> Result<String, ReportError> {
                 .sweep_bits
                 .as_ref()
                 .map(|bits| [*bits.start(), *bits.end()]),
+            errors: header.errors,
         },
         rows: results.lines.iter().map(row).collect(),
         unproved: results
@@ -111,15 +123,21 @@ fn row(line: &Line) -> RowOf<'_> {
         radiance: line.radiance.clone(),
         expected: line.row.expected,
         contradicts_theory: line.contradicts_theory(),
-        discretization: &summary.discretization,
+        discretization: summary.split.as_ref().map(|split| &split.discretization),
         total: &summary.total,
-        laws: &summary.laws,
-        crossing: summary.crossing,
-        best: summary.best.map(|best| Best {
+        models: summary.split.as_ref().map(models),
+        states,
+    }
+}
+
+fn models(split: &SplitSummary) -> Models<'_> {
+    Models {
+        laws: &split.laws,
+        crossing: split.crossing,
+        best: split.best.map(|best| Best {
             n: best.log2_n.exp2(),
             error: Float::with_val(64, best.log2_error).exp2(),
         }),
-        bits_needed: &summary.bits_needed,
-        states,
+        bits_needed: &split.bits_needed,
     }
 }

@@ -4,6 +4,7 @@ mod json;
 mod levels;
 mod paper;
 mod parts;
+mod whole;
 pub(super) mod words;
 
 pub use json::json;
@@ -18,21 +19,25 @@ use crate::document::{
     Table, Tone,
 };
 use crate::render::{ReportError, write_document};
-use crate::study::sweep::{Line, Results, TOLERANCES};
+use crate::study::sweep::{Errors, Line, Results, SplitSummary, TOLERANCES};
 use std::f64::consts::LOG10_2;
 use std::path::{Path, PathBuf};
 use words::{
     LEGEND, NONE, best, crossing, exponent, judged, order, summary, theory, tone, warnings,
 };
 
+/// What verdicts are on.
+const SAID: &str = "The verdicts above are on the order of the discretization error, a line a case, method and format.";
+
 /// For every case and method its orders and roundoff, format by format, with what happened at some levels and the parts of the
-/// error as plots; then maps of correct digits. All levels are a table for CSV, the orders one for LaTeX.
+/// error as plots; then maps of correct digits. All levels are a table for CSV, the orders one for LaTeX. Where errors are known as
+/// a whole alone, what tells of their parts is left out.
 #[must_use]
 pub fn document(results: &Results, about: &About) -> Document {
     let mut document = Document::new("study", "A study of errors", about.clone());
     let lines = || results.lines.iter().filter(|line| !line.swept);
     document.summary = counts(lines().map(|line| {
-        let verdict = line.summary.discretization.verdict;
+        let verdict = line.summary.order().verdict;
         (verdict.name().to_string(), judged(line))
     }));
     document
@@ -43,8 +48,10 @@ pub fn document(results: &Results, about: &About) -> Document {
     document.sections.extend(unproved(results));
     let mut names = FileNames::default();
     for (case, method, lines) in results.groups().filter(|(.., lines)| !lines.is_empty()) {
-        let file = names.next("parts", &[case, method]);
-        document.sections.push(parts(file, case, method, &lines));
+        document.sections.push(match results.header.errors {
+            Errors::Split => parts(names.next("parts", &[case, method]), case, method, &lines),
+            Errors::Total => errors(names.next("errors", &[case, method]), case, method, &lines),
+        });
     }
     for (case, method, lines) in results.maps().filter(|(.., lines)| !lines.is_empty()) {
         let file = names.next("digits", &[case, method]);
@@ -53,7 +60,10 @@ pub fn document(results: &Results, about: &About) -> Document {
         document.sections.push(Section::of(file, title, [map]));
     }
     if !results.lines.is_empty() {
-        let legend = LEGEND.iter();
+        let legend = match results.header.errors {
+            Errors::Split => LEGEND.iter(),
+            Errors::Total => whole::LEGEND.iter(),
+        };
         let legend = legend.map(|(word, meaning)| Fact::new(*word, *meaning));
         let legend = Block::Facts(legend.collect());
         document
@@ -84,7 +94,7 @@ fn run(results: &Results) -> Section {
     let header = &results.header;
     let names = header.cases.iter().map(|[name, ..]| name.as_str());
     let names: Vec<&str> = names.collect();
-    let levels: Vec<String> = header.levels.iter().map(ToString::to_string).collect();
+    let ladder: Vec<String> = header.levels.iter().map(ToString::to_string).collect();
     let mut formats: Vec<&str> = Vec::new();
     for line in results.lines.iter().filter(|line| !line.swept) {
         if !formats.contains(&line.format.as_str()) {
@@ -95,29 +105,47 @@ fn run(results: &Results) -> Section {
         Fact::new("cases", names.join(", ")),
         Fact::new("methods", header.methods.join("; ")),
         Fact::new("formats", formats.join("; ")),
-        Fact::new("levels n", levels.join(", ")),
+        Fact::new("levels n", ladder.join(", ")),
     ];
     if let Some(bits) = &results.sweep_bits {
         let range = format!("{} … {}", bits.start(), bits.end());
         facts.push(Fact::new("swept bits", range));
     }
-    let said = "The verdicts above are on the order of the discretization error, a line a case, method and format.";
+    let (said, levels, paper) = match header.errors {
+        Errors::Split => (SAID, levels::table(results), paper::table(results)),
+        Errors::Total => {
+            facts.push(Fact::new("errors", header.errors.to_string()));
+            (whole::SAID, whole::levels(results), whole::paper(results))
+        }
+    };
     let blocks = [
         Block::Text(said.into()).only(Medium::Written),
         Block::Facts(facts).only(Medium::Written),
-        Block::Table(levels::table(results)).only(Medium::Csv),
-        Block::Table(paper::table(results)).only(Medium::Latex),
+        Block::Table(levels).only(Medium::Csv),
+        Block::Table(paper).only(Medium::Latex),
     ];
     Section::of("run", "What was run", blocks)
 }
 
 fn parts(file: String, case: &str, method: &str, lines: &[&Line]) -> Section {
-    let expected = lines.first().map(|line| theory(line.row.expected));
-    let title = format!("{case}, {method}: theory {}", expected.unwrap_or_default());
     let caption = format!("{case}, {method}: the parts of the error against n");
     let figure = Figure::new(&file, caption, of_split(lines));
-    let mut section = Section::of(file, title, [Block::Table(table(lines))]);
-    section.blocks.push(Block::Figure(figure));
+    let blocks = [Block::Table(table(lines)), Block::Figure(figure)];
+    section(file, case, method, lines, blocks)
+}
+
+fn errors(file: String, case: &str, method: &str, lines: &[&Line]) -> Section {
+    let caption = format!("{case}, {method}: the error against n");
+    let figure = Figure::new(&file, caption, whole::plots(lines));
+    let blocks = [Block::Table(whole::table(lines)), Block::Figure(figure)];
+    section(file, case, method, lines, blocks)
+}
+
+/// What a method did on a case, with remarks on the formats.
+fn section(file: String, case: &str, method: &str, lines: &[&Line], blocks: [Block; 2]) -> Section {
+    let expected = lines.first().map(|line| theory(line.row.expected));
+    let title = format!("{case}, {method}: theory {}", expected.unwrap_or_default());
+    let mut section = Section::of(file, title, blocks);
     for line in lines {
         let remark = |warning| Finding::new(&line.format, warning).toned(Tone::Open);
         let remarks = warnings(line).into_iter().map(remark).map(Block::Finding);
@@ -140,28 +168,30 @@ fn table(lines: &[&Line]) -> Table {
     ];
     let bits = TOLERANCES.map(|t| Column::number(format!("bits for {t:e}")).detail());
     columns.extend(bits);
-    let rows = lines.iter().map(|line| row(line));
+    let rows = lines
+        .iter()
+        .filter_map(|line| Some(row(line, line.summary.split.as_ref()?)));
     Table::new("Orders and roundoff, a row a format", columns).with(rows)
 }
 
-fn row(line: &Line) -> Vec<Cell> {
+fn row(line: &Line, split: &SplitSummary) -> Vec<Cell> {
     let summary = &line.summary;
     let number = |fit: &Fit| Cell::number(order(fit), fit.order);
     let law = |law| Cell::number(exponent(law), law.map(|law| law.exponent));
     let total = summary.total.verdict;
-    let least = summary.best.map(|best| best.log2_error * LOG10_2);
+    let least = split.best.map(|best| best.log2_error * LOG10_2);
     let mut cells = vec![
         Cell::text(&line.format),
-        number(&summary.discretization),
-        Cell::verdict(summary.discretization.verdict.name(), judged(line)),
+        number(&split.discretization),
+        Cell::verdict(split.discretization.verdict.name(), judged(line)),
         number(&summary.total),
         Cell::verdict(total.name(), tone(total)),
-        law(summary.laws.arithmetic),
-        law(summary.laws.input),
-        Cell::number(crossing(line), summary.crossing),
+        law(split.laws.arithmetic),
+        law(split.laws.input),
+        Cell::number(crossing(line), split.crossing),
         Cell::number(best(line), least),
     ];
-    cells.extend(summary.bits_needed.iter().map(|needed| match needed.bits {
+    cells.extend(split.bits_needed.iter().map(|needed| match needed.bits {
         Some(bits) => Cell::number(bits.to_string(), f64::from(bits)),
         None => Cell::text(NONE),
     }));

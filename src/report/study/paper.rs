@@ -19,20 +19,20 @@ pub(super) fn table(results: &Results) -> Table {
     ];
     let groups = results.groups();
     let rows = groups.flat_map(|(case, method, lines)| {
-        lines.into_iter().map(move |line| {
-            let laws = &line.summary.laws;
+        lines.into_iter().filter_map(move |line| {
+            let split = line.summary.split.as_ref()?;
             let cells = [
                 case.to_string(),
                 method.to_string(),
                 line.format.clone(),
-                order(&line.summary.discretization),
+                order(&split.discretization),
                 theory(line.row.expected),
-                exponent(laws.arithmetic),
-                exponent(laws.input),
+                exponent(split.laws.arithmetic),
+                exponent(split.laws.input),
                 crossing(line),
                 best(line),
             ];
-            cells.map(Cell::text).into()
+            Some(cells.map(Cell::text).into())
         })
     });
     let caption = "The order p of the discretization, and how roundoff grows with n";

@@ -31,7 +31,8 @@ fn plot(line: &Line) -> Plot {
         .collect();
     let first = octaves.first().copied().unwrap_or(0.0);
     let last = octaves.last().copied().unwrap_or(0.0);
-    let cross = line.summary.crossing.map(f64::log2);
+    let split = line.summary.split.as_ref();
+    let cross = split.and_then(|split| split.crossing).map(f64::log2);
     let cross = cross.filter(|x| *x <= last + BEYOND);
     let end = cross.map_or(last, |x| last.max(x + 0.5));
     let axes = (Axis::log("segments n"), Axis::log(ERROR));
@@ -71,7 +72,11 @@ fn color(part: Part) -> usize {
 fn series(line: &Line, part: Part, name: &str) -> Option<Series> {
     let fit = match part {
         Part::Total => Some(&line.summary.total),
-        Part::Discretization => Some(&line.summary.discretization),
+        Part::Discretization => line
+            .summary
+            .split
+            .as_ref()
+            .map(|split| &split.discretization),
         _ => None,
     };
     let in_fit = |n: u64| match fit.map(|fit| fit.window) {
@@ -108,8 +113,10 @@ fn visible(level: &LevelRecord, part: Part) -> Option<&rug::Float> {
 }
 
 /// The model of the whole error, and the laws of its roundoff, between two octaves.
-fn models(line: &Line, first: f64, end: f64) -> impl Iterator<Item = (Part, Trace)> {
-    let summary = &line.summary;
+fn models(line: &Line, first: f64, end: f64) -> Vec<(Part, Trace)> {
+    let Some(split) = &line.summary.split else {
+        return Vec::new();
+    };
     let law = |law: Option<RoundoffLaw>| {
         let at = |law: RoundoffLaw, x: f64| {
             (x * LOG10_2, law.log2_at(x, f64::from(line.bits)) * LOG10_2)
@@ -118,25 +125,27 @@ fn models(line: &Line, first: f64, end: f64) -> impl Iterator<Item = (Part, Trac
     };
     let next = |x: &f64| Some(x + 1.0 / STEPS).filter(|x| *x <= end);
     let whole = std::iter::successors(Some(first), next)
-        .map(|x| (x * LOG10_2, summary.model.log2_error(x) * LOG10_2))
+        .map(|x| (x * LOG10_2, split.model.log2_error(x) * LOG10_2))
         .filter(|(_, y)| y.is_finite());
     let models = [
         (Part::Total, trace(Stroke::Thin, whole)),
-        (Part::Input, law(summary.laws.input)),
-        (Part::Arithmetic, law(summary.laws.arithmetic)),
+        (Part::Input, law(split.laws.input)),
+        (Part::Arithmetic, law(split.laws.arithmetic)),
     ];
     models
         .into_iter()
         .filter_map(|(part, trace)| Some((part, trace?)))
+        .collect()
 }
 
 /// At n*, given as an octave.
 fn guide(line: &Line, x: Option<f64>) -> Option<Guide> {
+    let split = line.summary.split.as_ref()?;
     let mut words = Vec::new();
-    if line.summary.crossing.is_some() {
+    if split.crossing.is_some() {
         words.push(format!("n* = {}", crossing(line)));
     }
-    if line.summary.best.is_some() {
+    if split.best.is_some() {
         words.push(format!("best {}", best(line)));
     }
     (!words.is_empty()).then(|| Guide {

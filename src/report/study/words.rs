@@ -2,7 +2,7 @@
 
 use crate::convergence::{Fit, RoundoffLaw, Verdict};
 use crate::document::Tone;
-use crate::study::sweep::{Line, Part, Results, State, Theory};
+use crate::study::sweep::{Errors, Line, Part, Results, State, Theory};
 use rug::Float;
 
 /// What stands where there is no figure.
@@ -48,7 +48,9 @@ pub(super) fn exponent(law: Option<RoundoffLaw>) -> String {
 
 /// n*, to the digits it means.
 pub(in crate::report) fn crossing(line: &Line) -> String {
-    line.summary.crossing.map_or(NONE.into(), |n| {
+    let split = line.summary.split.as_ref();
+    let crossing = split.and_then(|split| split.crossing);
+    crossing.map_or(NONE.into(), |n| {
         if n < 1e4 {
             format!("{n:.0}")
         } else {
@@ -59,18 +61,19 @@ pub(in crate::report) fn crossing(line: &Line) -> String {
 
 /// The least error that can be reached: "3.2e-8".
 pub(in crate::report) fn best(line: &Line) -> String {
-    let best = line.summary.best;
+    let split = line.summary.split.as_ref();
+    let best = split.and_then(|split| split.best);
     best.map_or(NONE.into(), |best| {
         scientific(&Float::with_val(64, best.log2_error).exp2())
     })
 }
 
-/// How good or bad the order of a line's discretization is.
+/// How good or bad the order of a line's discretization is, or of its total where that is all there is.
 pub(super) fn judged(line: &Line) -> Tone {
     if line.contradicts_theory() {
         Tone::Bad
     } else {
-        tone(line.summary.discretization.verdict)
+        tone(line.summary.order().verdict)
     }
 }
 
@@ -127,11 +130,15 @@ pub(super) fn warnings(line: &Line) -> Vec<String> {
         warnings.push(format!("n = {levels}: Refused: {reason}"));
     }
     if line.contradicts_theory() {
-        let summary = &line.summary;
+        let found = line.summary.order();
+        let what = match line.summary.split {
+            Some(_) => "discretization",
+            None => "total",
+        };
         warnings.push(format!(
-            "discretization: {} {} where theory says {}",
-            order(&summary.discretization),
-            summary.discretization.verdict,
+            "{what}: {} {} where theory says {}",
+            order(found),
+            found.verdict,
             theory(line.row.expected)
         ));
     }
@@ -156,7 +163,7 @@ pub(super) fn summary(results: &Results) -> String {
     let mut all = 0;
     for line in lines {
         all += 1;
-        let verdict = line.summary.discretization.verdict;
+        let verdict = line.summary.order().verdict;
         match counts.iter_mut().find(|(v, _)| *v == verdict) {
             Some((_, count)) => *count += 1,
             None => counts.push((verdict, 1)),
@@ -171,7 +178,11 @@ pub(super) fn summary(results: &Results) -> String {
     if counts.is_empty() {
         return format!("{all} {lines}");
     }
-    format!("{all} {lines}, discretization: {}", counts.join(", "))
+    let what = match results.header.errors {
+        Errors::Split => "discretization",
+        Errors::Total => "total",
+    };
+    format!("{all} {lines}, {what}: {}", counts.join(", "))
 }
 
 /// What the table says; a word and its meaning each.

@@ -1,6 +1,6 @@
 //! What a study will take, before it is run.
 
-use super::Sweep;
+use super::{Errors, Sweep, kept};
 use crate::method::{Inner, Method};
 use crate::quadrature::Rule;
 use crate::real::FormatName;
@@ -12,11 +12,15 @@ pub struct Estimate {
     pub bytes: f64,
     /// Work in units of about one evaluation of a medium in binary64.
     pub work: f64,
+    /// Seconds that a unit of work takes on one core, roughly.
+    unit: f64,
 }
 
-/// Seconds that a unit of work takes on one core, roughly: most of it is the oracle's, whose precision is
-/// bounded below.
+/// Seconds that a unit of work takes on one core, roughly, where errors are split: most of it is the oracle's, whose precision
+/// is bounded below.
 const SECONDS: f64 = 5e-6;
+/// The same of errors as a whole: a segment of one method in binary64, which evaluates its nodes itself.
+const SECONDS_WHOLE: f64 = 1.5e-7;
 /// Bytes a number takes beside its digits: the header and the allocation of an MPFR number.
 const HEADER_BYTES: f64 = 48.0;
 /// s, C and τ, kept by place and in a column.
@@ -28,6 +32,39 @@ impl Estimate {
     /// Of `sweep` on `threads` threads.
     #[must_use]
     pub fn new(sweep: &Sweep, threads: usize) -> Estimate {
+        let work = sweep
+            .formats
+            .iter()
+            .flat_map(|format| Self::levels(sweep).map(|n| Self::work(sweep, *format, n) as f64));
+        let (bytes, unit) = match sweep.errors {
+            Errors::Split => (Self::bytes_split(sweep, threads), SECONDS),
+            Errors::Total => (Self::bytes_whole(sweep, threads), SECONDS_WHOLE),
+        };
+        Estimate {
+            bytes,
+            work: work.sum::<f64>() * sweep.cases.len() as f64,
+            unit,
+        }
+    }
+
+    /// What is shared, or the rays that some methods keep, of as many units as there are threads.
+    fn bytes_whole(sweep: &Sweep, threads: usize) -> f64 {
+        let units = sweep.formats.iter().flat_map(|&format| {
+            let level = move |&n: &u64| {
+                if kept::shares(sweep, format, n) {
+                    return kept::bytes_shared(sweep, format, n);
+                }
+                let methods = sweep.methods.iter();
+                let alone = methods.map(|method| kept::bytes_alone(method, format, n));
+                alone.fold(0.0, f64::max)
+            };
+            sweep.levels.iter().map(level)
+        });
+        let at_once = threads.min(sweep.cases.len().saturating_mul(sweep.formats.len()));
+        units.fold(0.0, f64::max) * at_once as f64
+    }
+
+    fn bytes_split(sweep: &Sweep, threads: usize) -> f64 {
         let finest = sweep.levels.iter().copied().max().unwrap_or(0) as f64;
         let looks: f64 = sweep.methods.iter().map(looks).sum();
         let numbers = finest * (NUMBERS_A_NODE + NUMBERS_A_SEGMENT) * looks.max(1.0);
@@ -39,20 +76,13 @@ impl Estimate {
         };
         let widest = sweep.formats.iter().map(bytes).fold(0.0, f64::max);
         let at_once = (2 * threads).min(sweep.cases.len()) as f64;
-        let work = sweep
-            .formats
-            .iter()
-            .flat_map(|format| Self::levels(sweep).map(|n| Self::work(sweep, *format, n) as f64));
-        Estimate {
-            bytes: numbers * widest * at_once,
-            work: work.sum::<f64>() * sweep.cases.len() as f64,
-        }
+        numbers * widest * at_once
     }
 
     /// Seconds on `threads` threads of as many cores, within a factor of a few.
     #[must_use]
     pub fn seconds(&self, threads: usize) -> f64 {
-        self.work * SECONDS / threads.max(1) as f64
+        self.work * self.unit / threads.max(1) as f64
     }
 
     /// All work, as progress counts it.
@@ -68,17 +98,31 @@ impl Estimate {
 
     /// All levels of a unit, those for models alone among them.
     pub fn levels(sweep: &Sweep) -> impl Iterator<Item = u64> {
-        let between = super::between(&sweep.levels);
+        let between = sweep.errors.between(&sweep.levels);
         sweep.levels.iter().copied().chain(between)
     }
 
     /// Work of one level of one unit.
     #[must_use]
     pub fn work(sweep: &Sweep, format: FormatName, n: u64) -> u64 {
-        let weight = 2 + u64::from(format.bits()) / 32;
+        let weight = match (sweep.errors, format) {
+            (Errors::Split, _) => 2 + u64::from(format.bits()) / 32,
+            (Errors::Total, FormatName::Mpfr(bits)) => of_mpfr(bits),
+            (Errors::Total, FormatName::Ieee(_) | FormatName::Fixed(_)) => EMULATED,
+            (Errors::Total, _) => 1,
+        };
         n.saturating_mul(sweep.methods.len() as u64)
             .saturating_mul(weight)
     }
+}
+
+/// Units of work of a segment of one method in an emulated format.
+const EMULATED: u64 = 8;
+
+/// The same in MPFR: functions of b bits take about b^1.5.
+fn of_mpfr(bits: u32) -> u64 {
+    let words = 1 + u64::from(bits) / 64;
+    4 + words * words.isqrt()
 }
 
 /// Rows of nodes that a method looks at.

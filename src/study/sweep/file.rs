@@ -1,5 +1,6 @@
 //! `study.toml`: what to run, as text.
 
+use super::Errors;
 use crate::case::file::{MAX_DOTS, deepest_dot, said};
 use schemars::{JsonSchema, Schema};
 use serde::Deserialize;
@@ -18,6 +19,7 @@ const MAX_FILE: usize = 1 << 20;
 /// formats = ["f32", "f64", "mpfr:128"]
 /// levels = "8..4096"
 /// sweep-bits = "4..53"
+/// errors = "split"
 /// ```
 #[derive(Clone, Debug, Default, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields, rename_all = "kebab-case")]
@@ -44,6 +46,10 @@ pub struct StudyFile {
     #[serde(default)]
     #[schemars(with = "String")]
     pub sweep_bits: Option<Spanned<String>>,
+    /// Whether errors are split into parts, or known as a whole alone at a small part of the cost: split or total.
+    #[serde(default)]
+    #[schemars(with = "Errors")]
+    pub errors: Option<Spanned<String>>,
 }
 
 /// Numbers of segments, as a ladder's text or as a list.

@@ -1,7 +1,7 @@
 //! Finished units, one a line, appended as they come.
 
-use super::between;
-use super::record::{Header, LevelRecord, Row, Unit};
+use super::Errors;
+use super::record::{Header, LevelRecord, Row, State, Unit};
 use crate::input;
 use serde::Serialize;
 use std::fs::{File, OpenOptions};
@@ -12,9 +12,16 @@ use std::path::{Path, PathBuf};
 /// cut off is dropped and done again.
 #[derive(Debug)]
 pub struct Journal {
+    /// `None` where nobody will go on with it.
+    kept: Option<Kept>,
+    units: Vec<Unit>,
+}
+
+/// Where it is kept.
+#[derive(Debug)]
+struct Kept {
     path: PathBuf,
     file: File,
-    units: Vec<Unit>,
 }
 
 /// Why a journal cannot be used.
@@ -67,6 +74,15 @@ pub enum JournalError {
 }
 
 impl Journal {
+    /// A journal that is kept nowhere: of a study whose results nobody goes on with.
+    #[must_use]
+    pub fn unkept() -> Journal {
+        Journal {
+            kept: None,
+            units: Vec::new(),
+        }
+    }
+
     /// Begins a journal; there must be none yet.
     ///
     /// # Errors
@@ -87,8 +103,10 @@ impl Journal {
             Err(error) => return Err(at(path)(error)),
         };
         let mut journal = Journal {
-            path: path.into(),
-            file,
+            kept: Some(Kept {
+                path: path.into(),
+                file,
+            }),
             units: Vec::new(),
         };
         journal.write(header)?;
@@ -113,8 +131,10 @@ impl Journal {
         file.set_len(whole).map_err(at(path))?;
         file.seek(SeekFrom::End(0)).map_err(at(path))?;
         let mut journal = Journal {
-            path: path.into(),
-            file,
+            kept: Some(Kept {
+                path: path.into(),
+                file,
+            }),
             units,
         };
         if whole == 0 {
@@ -170,7 +190,10 @@ impl Journal {
     /// [`JournalError::File`].
     pub fn finish(self, header: &Header) -> Result<Vec<Unit>, JournalError> {
         let units: Vec<Unit> = self.ordered(header).into_iter().cloned().collect();
-        let temporary = self.path.with_extension("jsonl.new");
+        let Some(Kept { path, .. }) = self.kept else {
+            return Ok(units);
+        };
+        let temporary = path.with_extension("jsonl.new");
         let mut file = File::create(&temporary).map_err(at(&temporary))?;
         let mut text = line(header);
         for unit in &units {
@@ -178,15 +201,16 @@ impl Journal {
         }
         file.write_all(text.as_bytes()).map_err(at(&temporary))?;
         file.sync_all().map_err(at(&temporary))?;
-        std::fs::rename(&temporary, &self.path).map_err(at(&self.path))?;
+        std::fs::rename(&temporary, &path).map_err(at(&path))?;
         Ok(units)
     }
 
     fn write(&mut self, value: &impl Serialize) -> Result<(), JournalError> {
-        let written = self.file.write_all(line(value).as_bytes());
-        written
-            .and_then(|()| self.file.sync_data())
-            .map_err(at(&self.path))
+        let Some(Kept { path, file }) = &mut self.kept else {
+            return Ok(());
+        };
+        let written = file.write_all(line(value).as_bytes());
+        written.and_then(|()| file.sync_data()).map_err(at(path))
     }
 }
 
@@ -257,7 +281,7 @@ fn check(unit: &Unit, header: &Header) -> Result<(), String> {
     if !methods.eq(&header.methods) {
         return Err("the methods are not those of this study".into());
     }
-    let between = between(&header.levels);
+    let between = header.errors.between(&header.levels);
     let complete = |found: &[LevelRecord], wanted: &[u64]| {
         found.iter().map(|level| level.n).eq(wanted.iter().copied())
     };
@@ -265,6 +289,22 @@ fn check(unit: &Unit, header: &Header) -> Result<(), String> {
         |row: &Row| complete(&row.levels, &header.levels) && complete(&row.between, &between);
     if !rows.iter().all(is_complete) {
         return Err("the levels are not those of this study".into());
+    }
+    let is_of_this_kind = |level: &LevelRecord| match header.errors {
+        Errors::Split => level.state != State::Total && level.floor.is_none(),
+        Errors::Total => matches!(
+            level.state,
+            State::Total | State::NotFinite | State::Refused(_)
+        ),
+    };
+    let mut levels = rows
+        .iter()
+        .flat_map(|row| row.levels.iter().chain(&row.between));
+    if !levels.all(is_of_this_kind) {
+        return Err(format!(
+            "the errors are not {} as in this study",
+            header.errors
+        ));
     }
     Ok(())
 }
@@ -279,8 +319,10 @@ fn same(path: &Path, found: &Header, wanted: &Header) -> Result<(), JournalError
     let cases = |h: &Header| h.cases.iter().map(|c| c.join(" ")).collect::<Vec<_>>();
     let levels = |h: &Header| h.levels.iter().map(ToString::to_string).collect::<Vec<_>>();
     let version = |h: &Header| vec![h.volver.clone()];
+    let errors = |h: &Header| vec![h.errors.to_string()];
     let compared = [
         ("version", version(found), version(wanted)),
+        ("errors", errors(found), errors(wanted)),
         ("cases", cases(found), cases(wanted)),
         ("methods", found.methods.clone(), wanted.methods.clone()),
         ("formats", found.formats.clone(), wanted.formats.clone()),

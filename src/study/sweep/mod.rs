@@ -1,27 +1,32 @@
-//! Cases × methods × formats × levels, every error split into its parts.
+//! Cases × methods × formats × levels, every error split into its parts or known as a whole alone.
 //!
 //! Work comes in units of one case in one format, under all methods at all levels. A [`Journal`] takes each
 //! unit when it is finished; what is reported is made of a journal's units alone, so that a study that was cut
 //! off and resumed gives the same bytes as one that was not.
 
 mod between;
+mod errors;
 mod estimate;
 mod file;
+mod floor;
 mod journal;
+mod kept;
 mod number;
 mod record;
 mod results;
 mod run;
 mod summary;
+mod total;
 
 pub use between::between;
+pub use errors::{Errors, ErrorsError};
 pub use estimate::Estimate;
 pub use file::{FileLevels, StudyFile, StudyFileError, StudyFileProblem};
 pub use journal::{Journal, JournalError};
 pub use record::{Header, LevelRecord, Part, Row, State, Theory, Unit};
 pub use results::{Line, Results};
 pub use run::{Statistics, SweepError, run};
-pub use summary::{Bits, Summary, TOLERANCES, summarize};
+pub use summary::{Bits, SplitSummary, Summary, TOLERANCES, summarize};
 
 use crate::case::SymbolicCase;
 use crate::method::Method;
@@ -38,4 +43,6 @@ pub struct Sweep {
     pub formats: Vec<FormatName>,
     /// Numbers of segments, ascending.
     pub levels: Vec<u64>,
+    /// Whether errors are split.
+    pub errors: Errors,
 }

@@ -1,11 +1,11 @@
 //! What is kept of a study: one line a unit, everything else follows from it.
 
-use super::{Sweep, number};
+use super::{Errors, Sweep, number};
 use crate::case::Unproved;
 use crate::convergence::{Cell, Split};
 use crate::method::{Expected, Method};
 use rug::Float;
-use serde::{Deserialize, Serialize};
+use serde::{Deserialize, Deserializer, Serialize, Serializer};
 
 /// What a study is of, said once at the head of its journal: units of different studies never mix.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
@@ -21,6 +21,9 @@ pub struct Header {
     pub formats: Vec<String>,
     /// Numbers of segments.
     pub levels: Vec<u64>,
+    /// Whether errors are split; what is not said is.
+    #[serde(default, skip_serializing_if = "Errors::is_split")]
+    pub errors: Errors,
 }
 
 impl Header {
@@ -43,6 +46,7 @@ impl Header {
             methods: sweep.methods.iter().map(Method::name).collect(),
             formats: sweep.formats.iter().map(ToString::to_string).collect(),
             levels: sweep.levels.clone(),
+            errors: sweep.errors,
         }
     }
 
@@ -133,6 +137,8 @@ impl From<Theory> for Expected {
 pub enum State {
     /// The error is split.
     Split,
+    /// The error is known, and nobody asked for its parts.
+    Total,
     /// The run took another branch than the same code in MPFR.
     BranchDiverged,
     /// NaN or ∞.
@@ -149,6 +155,7 @@ impl State {
     pub fn name(&self) -> &'static str {
         match self {
             State::Split => "split",
+            State::Total => "total",
             State::BranchDiverged => "branch-diverged",
             State::NotFinite => "not-finite",
             State::Unsettled => "unsettled",
@@ -172,9 +179,10 @@ pub enum Part {
     Arithmetic,
 }
 
-/// One method at one level. Parts are missing where the error is not split.
+/// One method at one level. Parts are missing where the error is not split; where nobody asked for them a journal does not
+/// name them either.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-#[serde(deny_unknown_fields)]
+#[serde(deny_unknown_fields, remote = "Self")]
 pub struct LevelRecord {
     /// Segments.
     pub n: u64,
@@ -183,35 +191,81 @@ pub struct LevelRecord {
     /// `Q_f` − I.
     #[serde(with = "number::optional")]
     pub total: Option<Float>,
+    /// What of it may be rounding, foreseen where that is not measured.
+    #[serde(
+        with = "number::optional",
+        default,
+        skip_serializing_if = "Option::is_none"
+    )]
+    pub floor: Option<Float>,
     /// `Q_∞` − I.
-    #[serde(with = "number::optional")]
+    #[serde(with = "number::optional", default)]
     pub discretization: Option<Float>,
     /// `Q_∞` stopped early − `Q_∞`.
-    #[serde(with = "number::optional")]
+    #[serde(with = "number::optional", default)]
     pub truncation: Option<Float>,
     /// `Q_∞`(inputs of f) − `Q_∞`.
-    #[serde(with = "number::optional")]
+    #[serde(with = "number::optional", default)]
     pub input: Option<Float>,
     /// `Q_f` − `Q_∞`(inputs of f).
-    #[serde(with = "number::optional")]
+    #[serde(with = "number::optional", default)]
     pub arithmetic: Option<Float>,
     /// The share of it that comes of the transmittances.
-    #[serde(with = "number::optional")]
+    #[serde(with = "number::optional", default)]
     pub of_depth: Option<Float>,
     /// What the oracle's own rounding may hide.
-    #[serde(with = "number::optional")]
+    #[serde(with = "number::optional", default)]
     pub resolution: Option<Float>,
     /// Bits of the oracle.
+    #[serde(default)]
     pub oracle_bits: Option<u32>,
+}
+
+/// What a journal keeps of a level whose error is known as a whole.
+#[derive(Serialize)]
+struct WholeError<'a> {
+    n: u64,
+    state: &'a State,
+    #[serde(with = "number::optional")]
+    total: &'a Option<Float>,
+    #[serde(with = "number::optional")]
+    floor: &'a Option<Float>,
+}
+
+impl Serialize for LevelRecord {
+    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        if self.floor.is_none() {
+            return LevelRecord::serialize(self, serializer);
+        }
+        let whole = WholeError {
+            n: self.n,
+            state: &self.state,
+            total: &self.total,
+            floor: &self.floor,
+        };
+        whole.serialize(serializer)
+    }
+}
+
+impl<'de> Deserialize<'de> for LevelRecord {
+    fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
+        LevelRecord::deserialize(deserializer)
+    }
 }
 
 impl LevelRecord {
     /// A level where the method does not run.
     pub(super) fn refused(n: u64, reason: String) -> Self {
+        LevelRecord::without(n, State::Refused(reason))
+    }
+
+    /// Nothing known yet.
+    fn without(n: u64, state: State) -> Self {
         LevelRecord {
             n,
-            state: State::Refused(reason),
+            state,
             total: None,
+            floor: None,
             discretization: None,
             truncation: None,
             input: None,
@@ -219,6 +273,20 @@ impl LevelRecord {
             of_depth: None,
             resolution: None,
             oracle_bits: None,
+        }
+    }
+
+    /// A level whose error is known as a whole, with what of it may be rounding.
+    pub(super) fn whole(n: u64, total: &Float, floor: &Float) -> Self {
+        let state = if total.is_finite() {
+            State::Total
+        } else {
+            State::NotFinite
+        };
+        LevelRecord {
+            total: Some(number::rounded(total)),
+            floor: Some(number::rounded(floor)),
+            ..LevelRecord::without(n, state)
         }
     }
 
@@ -234,6 +302,7 @@ impl LevelRecord {
             n,
             state,
             total: Some(number::rounded(cell.total())),
+            floor: None,
             discretization: part(|s| &s.discretization),
             truncation: part(|s| &s.truncation),
             input: part(|s| &s.input),

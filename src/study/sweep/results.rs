@@ -78,7 +78,7 @@ impl Results {
                     bits: unit.bits,
                     swept,
                     radiance: unit.radiance.clone(),
-                    summary: summarize(&unit, row, length)?,
+                    summary: summarize(&unit, row, length, header.errors)?,
                     row: row.clone(),
                 });
             }
@@ -140,13 +140,14 @@ impl Line {
         size.is_finite().then(|| digits.min(most).max(0.0))
     }
 
-    /// Whether the discretization says something else than theory, which no lack of levels, precision or
-    /// sensitivity excuses. Of NaN and ∞ in a format it tells nothing: they are warnings.
+    /// Whether the discretization, or the total error where that is all there is, says something else than theory, which no
+    /// lack of levels, precision or sensitivity excuses. Of NaN and ∞ in a format it tells nothing: they are warnings.
     #[must_use]
     pub fn contradicts_theory(&self) -> bool {
         let expected = self.row.expected;
-        match self.summary.discretization.verdict {
-            Verdict::Diverged | Verdict::NotFinite => true,
+        match self.summary.order().verdict {
+            Verdict::NotFinite => self.summary.split.is_some(),
+            Verdict::Diverged => true,
             _ if expected == Theory::Unknown => false,
             Verdict::TooLow | Verdict::TooHigh | Verdict::Oscillatory => true,
             Verdict::Stalled => expected != Theory::Order(0.0),

@@ -3,7 +3,8 @@
 use super::journal::{Journal, JournalError};
 use super::number;
 use super::record::{LevelRecord, Row, Unit};
-use super::{Estimate, Sweep, between};
+use super::total::{self, Truth};
+use super::{Errors, Estimate, Sweep};
 use crate::case::{Shared, SymbolicCase};
 use crate::convergence::{Cell, Oracle};
 use crate::method::{MethodError, expected_on};
@@ -15,7 +16,7 @@ use rug::Float;
 use rug::float::Special;
 use std::collections::VecDeque;
 use std::sync::atomic::{AtomicU64, Ordering};
-use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
+use std::sync::{Arc, Mutex, MutexGuard, OnceLock, PoisonError};
 use std::thread;
 
 /// Bits that I is known to for a report.
@@ -43,12 +44,61 @@ pub struct Statistics {
     pub oracle_evaluations: u64,
 }
 
-/// A case whose oracle its formats share: there from the first of its units to the last.
+/// A case whose oracle its formats share: there from the first of its units to the last. Errors as a whole need its radiance
+/// alone.
 struct Job<'s> {
     name: &'s str,
     case: &'s SymbolicCase,
     oracle: Mutex<Option<Arc<Oracle<'s, SymbolicCase>>>>,
+    truth: OnceLock<Truth>,
     left: AtomicU64,
+}
+
+impl<'s> Job<'s> {
+    /// One of its units.
+    fn unit(
+        &self,
+        sweep: &'s Sweep,
+        format: FormatName,
+        levels_in_parallel: bool,
+        progress: &dyn Progress,
+    ) -> Unit {
+        let name = self.name;
+        match sweep.errors {
+            Errors::Split => {
+                let new = || Arc::new(Oracle::new(self.case, &sweep.methods));
+                let oracle = Arc::clone(lock(&self.oracle).get_or_insert_with(new));
+                format.with(OneUnit {
+                    sweep,
+                    name,
+                    format,
+                    oracle: &oracle,
+                    levels_in_parallel,
+                    progress,
+                })
+            }
+            Errors::Total => format.with(total::OneUnit {
+                sweep,
+                name,
+                case: self.case,
+                format,
+                truth: self
+                    .truth
+                    .get_or_init(|| Truth::new(self.case, &sweep.formats)),
+                levels_in_parallel,
+                progress,
+            }),
+        }
+    }
+
+    /// Evaluations of its oracle, which goes with its last unit.
+    fn done(&self) -> u64 {
+        if self.left.fetch_sub(1, Ordering::AcqRel) > 1 {
+            return 0;
+        }
+        let oracle = lock(&self.oracle).take();
+        oracle.map_or(0, |oracle| oracle.evaluations())
+    }
 }
 
 /// Runs what the journal does not have yet, on `threads` threads. Memory is for about twice as many cases as
@@ -72,6 +122,7 @@ pub fn run(
             name,
             case,
             oracle: Mutex::new(None),
+            truth: OnceLock::new(),
             left: AtomicU64::new(todo.iter().filter(|(c, _)| *c == index).count() as u64),
         })
         .collect();
@@ -86,25 +137,11 @@ pub fn run(
                 return Ok(());
             };
             let job = &jobs[case];
-            let oracle = Arc::clone(
-                lock(&job.oracle)
-                    .get_or_insert_with(|| Arc::new(Oracle::new(job.case, &sweep.methods))),
-            );
-            let unit = format.with(OneUnit {
-                sweep,
-                name: job.name,
-                format,
-                oracle: &oracle,
-                levels_in_parallel,
-                progress,
-            });
+            let unit = job.unit(sweep, format, levels_in_parallel, progress);
             let mut total = lock(&statistics);
             total.units += 1;
             total.evaluations += unit.evaluations;
-            if job.left.fetch_sub(1, Ordering::AcqRel) == 1 {
-                total.oracle_evaluations += oracle.evaluations();
-                lock(&job.oracle).take();
-            }
+            total.oracle_evaluations += job.done();
             drop(total);
             if let Err(error) = lock(&journal).append(unit) {
                 // Nothing more can be kept: the others stop after what they have begun.
@@ -113,6 +150,11 @@ pub fn run(
             }
         }
     };
+    if threads == 1 {
+        // Memory comes cheaper to a program's first thread.
+        work()?;
+        return Ok(*lock(&statistics));
+    }
     thread::scope(|scope| {
         let workers: Vec<_> = (0..threads).map(|_| scope.spawn(work)).collect();
         let ended = workers
@@ -199,7 +241,7 @@ impl OneUnit<'_, '_> {
             }
         };
         let levels = all(&self.sweep.levels);
-        let between = all(&between(&self.sweep.levels));
+        let between = all(&self.sweep.errors.between(&self.sweep.levels));
         let of = |levels: &[Vec<LevelRecord>], m: usize| {
             levels.iter().map(|level| level[m].clone()).collect()
         };

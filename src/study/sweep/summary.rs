@@ -1,5 +1,6 @@
 //! What the levels of a row tell together.
 
+use super::Errors;
 use super::record::{LevelRecord, Part, Row, State, Unit};
 use crate::convergence::{Best, ErrorModel, Fit, FitError, Laws, Sample, Split, fit};
 use crate::method::Expected;
@@ -13,10 +14,18 @@ pub const TOLERANCES: [f64; 4] = [1e-3, 1e-6, 1e-9, 1e-12];
 /// One method on one case in one format, all levels together.
 #[derive(Clone, Debug, Serialize)]
 pub struct Summary {
-    /// The order of the discretization error, with what theory expects.
-    pub discretization: Fit,
     /// The order of the total error: what a user of the format sees, roundoff being its floor.
     pub total: Fit,
+    /// What the parts tell; `None` of a study of [`Errors::Total`].
+    #[serde(flatten)]
+    pub split: Option<SplitSummary>,
+}
+
+/// What the parts of errors tell, all levels together.
+#[derive(Clone, Debug, Serialize)]
+pub struct SplitSummary {
+    /// The order of the discretization error, with what theory expects.
+    pub discretization: Fit,
     /// How roundoff grows with n.
     pub laws: Laws,
     /// n*: from there on roundoff is larger than discretization.
@@ -30,6 +39,16 @@ pub struct Summary {
     pub model: ErrorModel,
 }
 
+impl Summary {
+    /// The order that is set beside theory: of the discretization where that is known, else of the total.
+    #[must_use]
+    pub fn order(&self) -> &Fit {
+        self.split
+            .as_ref()
+            .map_or(&self.total, |split| &split.discretization)
+    }
+}
+
 /// The bits that a tolerance needs.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]
 pub struct Bits {
@@ -39,12 +58,42 @@ pub struct Bits {
     pub bits: Option<u32>,
 }
 
-/// The summary of a row of `unit`, on a ray of that length. Without a level that is split there is nothing to
-/// fit, and the verdict says so.
+/// The summary of a row of `unit`, on a ray of that length. Without a level that is split, or known as a whole where that is
+/// asked for, there is nothing to fit, and the verdict says so.
 ///
 /// # Errors
 /// [`FitError`], which levels that ascend do not cause.
-pub fn summarize(unit: &Unit, row: &Row, length: f64) -> Result<Summary, FitError> {
+pub fn summarize(unit: &Unit, row: &Row, length: f64, errors: Errors) -> Result<Summary, FitError> {
+    Ok(Summary {
+        total: total(unit, row, length)?,
+        split: match errors {
+            Errors::Split => Some(summarize_split(unit, row, length)?),
+            Errors::Total => None,
+        },
+    })
+}
+
+fn total(unit: &Unit, row: &Row, length: f64) -> Result<Fit, FitError> {
+    let unit_roundoff = Float::with_val(64, unit.radiance.abs_ref()) >> unit.bits;
+    let total: Vec<Sample> = row
+        .levels
+        .iter()
+        .filter(|level| !matches!(level.state, State::Refused(_)))
+        .filter_map(|level| {
+            let error = level.part(Part::Total)?;
+            // Where the error is neither split nor its floor foreseen, nothing is known of that but u·|I|.
+            let rounding = level.split().map(|split| split.rounding().abs());
+            let floor = rounding
+                .or_else(|| level.floor.clone())
+                .filter(|r| *r > unit_roundoff)
+                .unwrap_or_else(|| unit_roundoff.clone());
+            Some(sample(level.n, length, error, &floor))
+        })
+        .collect();
+    fit(&total, Some(Expected::from(row.expected)))
+}
+
+fn summarize_split(unit: &Unit, row: &Row, length: f64) -> Result<SplitSummary, FitError> {
     let expected = Expected::from(row.expected);
     let split = |level: &LevelRecord| Some((level.n, level.split()?));
     let splits: Vec<(u64, Split)> = row.levels.iter().filter_map(split).collect();
@@ -53,22 +102,6 @@ pub fn summarize(unit: &Unit, row: &Row, length: f64) -> Result<Summary, FitErro
         .map(|(n, split)| sample(*n, length, &split.discretization, &split.resolution))
         .collect();
     let discretization = fit(&discretization, Some(expected))?;
-    let unit_roundoff = Float::with_val(64, unit.radiance.abs_ref()) >> unit.bits;
-    let total: Vec<Sample> = row
-        .levels
-        .iter()
-        .filter(|level| !matches!(level.state, State::Refused(_)))
-        .filter_map(|level| {
-            let error = level.part(Part::Total)?;
-            // Where the error is not split, nothing is known of its floor but u·|I|.
-            let rounding = level.split().map(|split| split.rounding().abs());
-            let floor = rounding
-                .filter(|r| *r > unit_roundoff)
-                .unwrap_or_else(|| unit_roundoff.clone());
-            Some(sample(level.n, length, error, &floor))
-        })
-        .collect();
-    let total = fit(&total, Some(expected))?;
     let mut all = splits;
     all.extend(row.between.iter().filter_map(split));
     all.sort_by_key(|(n, _)| *n);
@@ -81,9 +114,8 @@ pub fn summarize(unit: &Unit, row: &Row, length: f64) -> Result<Summary, FitErro
             _ => None,
         });
     let model = ErrorModel::new(&by_reference, unit.bits, order);
-    Ok(Summary {
+    Ok(SplitSummary {
         discretization,
-        total,
         laws: model.laws,
         crossing: model.crossing(),
         best: model.best(),

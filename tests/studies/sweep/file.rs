@@ -9,6 +9,7 @@ methods = [\"trapezoid/trapezoid\"]
 formats = [\"f32\", \"ieee:11,-14,15\"]
 levels = \"8..4096\"
 sweep-bits = \"4..53\"
+errors = \"total\"
 ";
 
 #[test]
@@ -18,6 +19,7 @@ fn every_key_is_read_with_its_line() {
     assert_eq!(formats.get_ref()[1].get_ref(), "ieee:11,-14,15");
     assert_eq!(StudyFile::line(EXAMPLE, &formats.get_ref()[1].span()), 3);
     assert_eq!(file.sweep_bits.unwrap().get_ref(), "4..53");
+    assert_eq!(file.errors.unwrap().get_ref(), "total");
     assert!(
         matches!(file.levels.unwrap().get_ref(), FileLevels::Ladder(text) if text == "8..4096")
     );
@@ -28,7 +30,7 @@ fn every_key_is_read_with_its_line() {
 
 #[test]
 fn what_is_wrong_is_named_with_line_and_what_is_allowed() {
-    let keys = "'cases', 'methods', 'formats', 'levels', 'sweep-bits'";
+    let keys = "'cases', 'methods', 'formats', 'levels', 'sweep-bits', 'errors'";
     for (text, message) in [
         ("\ncase = []", format!("line 2: unknown field 'case' (allowed: {keys})")),
         (

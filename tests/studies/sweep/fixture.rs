@@ -6,7 +6,7 @@ use volver::method::{Exponential, Inner, Method, Nested, Outer, Scope};
 use volver::quadrature::Rule;
 use volver::real::FormatName;
 use volver::study::sweep::{
-    Header, LevelRecord, Results, Row, State, Sweep, Theory, Unit, between,
+    Errors, Header, LevelRecord, Results, Row, State, Sweep, Theory, Unit, between,
 };
 
 /// Discretization A·n^−P, arithmetic rounding B·u·n^Q, nothing else.
@@ -35,6 +35,7 @@ fn level(n: u64, bits: u32) -> LevelRecord {
         n,
         state: State::Split,
         total: Some(rounded(&Float::with_val(80, &discretization + &arithmetic))),
+        floor: None,
         discretization: Some(discretization),
         truncation: Some(number(0.0)),
         input: Some(number(0.0)),
@@ -82,6 +83,7 @@ pub(crate) fn results() -> Results {
         methods: vec!["a × b".into()],
         formats: units.iter().map(|unit| unit.format.clone()).collect(),
         levels: levels(),
+        errors: Errors::Split,
     };
     let swept = [false, true, true, true];
     Results::new(header, Some(10..=12), units, &[1.0], &swept).unwrap()
@@ -112,5 +114,6 @@ pub(crate) fn sweep() -> Sweep {
         ],
         formats: vec![FormatName::F32, FormatName::Mpfr(70)],
         levels: vec![2, 4, 8, 16],
+        errors: Errors::Split,
     }
 }

@@ -4,7 +4,7 @@ use super::fixture::{results, unit};
 use std::fs;
 use std::path::{Path, PathBuf};
 use tempfile::TempDir;
-use volver::study::sweep::{Header, Journal, JournalError};
+use volver::study::sweep::{Errors, Header, Journal, JournalError};
 
 fn header() -> Header {
     results().header
@@ -165,6 +165,13 @@ fn journals_of_other_studies_and_other_files_are_left_alone() {
             "levels",
             Header {
                 levels: vec![8],
+                ..header()
+            },
+        ),
+        (
+            "errors",
+            Header {
+                errors: Errors::Total,
                 ..header()
             },
         ),

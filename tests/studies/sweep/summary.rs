@@ -4,7 +4,7 @@ use super::fixture::results;
 use super::fixture::{A, B, P, Q, unit};
 use rug::Float;
 use volver::convergence::Verdict;
-use volver::study::sweep::{LevelRecord, State, Theory, Unit};
+use volver::study::sweep::{Errors, LevelRecord, State, Theory, Unit};
 use volver::study::sweep::{Results, TOLERANCES, summarize};
 
 /// The least of √(D² + R²) for D = A n^−P and R = B u n^Q, where P D² = Q R².
@@ -18,7 +18,8 @@ fn least(bits: f64) -> (f64, f64) {
 fn powers_give_orders_laws_crossing_and_least_error_in_closed_form() {
     for bits in [24_u32, 53, 100] {
         let unit = unit("f", bits);
-        let summary = summarize(&unit, &unit.rows[0], 1.0).unwrap();
+        let summary = summarize(&unit, &unit.rows[0], 1.0, Errors::Split).unwrap();
+        let summary = summary.split.unwrap();
         let found = &summary.discretization;
         assert_eq!(found.verdict, Verdict::Confirmed);
         assert!((found.order.unwrap() - P).abs() < 1e-9);
@@ -45,7 +46,7 @@ fn powers_give_orders_laws_crossing_and_least_error_in_closed_form() {
 #[test]
 fn the_total_is_limited_by_the_floor_that_rounding_is() {
     let unit = unit("f", 16);
-    let summary = summarize(&unit, &unit.rows[0], 1.0).unwrap();
+    let summary = summarize(&unit, &unit.rows[0], 1.0, Errors::Split).unwrap();
     assert_eq!(summary.total.verdict, Verdict::FloorLimited);
     assert_eq!(summary.total.cut.unwrap().level, 1);
 }
@@ -55,6 +56,7 @@ fn refused(n: u64) -> LevelRecord {
         n,
         state: State::Refused("no".into()),
         total: None,
+        floor: None,
         discretization: None,
         truncation: None,
         input: None,
@@ -69,14 +71,16 @@ fn refused(n: u64) -> LevelRecord {
 fn levels_without_errors_are_left_out() {
     let mut unit: Unit = unit("f", 24);
     unit.rows[0].levels[0] = refused(8);
-    let summary = summarize(&unit, &unit.rows[0], 1.0).unwrap();
-    assert_eq!(summary.discretization.verdict, Verdict::Confirmed);
-    assert_eq!(summary.discretization.pairs.len(), 8);
+    let summary = summarize(&unit, &unit.rows[0], 1.0, Errors::Split).unwrap();
+    let discretization = summary.split.unwrap().discretization;
+    assert_eq!(discretization.verdict, Verdict::Confirmed);
+    assert_eq!(discretization.pairs.len(), 8);
     for level in &mut unit.rows[0].levels {
         *level = refused(level.n);
     }
     unit.rows[0].between.clear();
-    let nothing = summarize(&unit, &unit.rows[0], 1.0).unwrap();
+    let nothing = summarize(&unit, &unit.rows[0], 1.0, Errors::Split).unwrap();
+    let nothing = nothing.split.unwrap();
     assert_eq!(nothing.discretization.verdict, Verdict::TooFewLevels);
     assert_eq!((nothing.crossing, nothing.best), (None, None));
     assert!(
@@ -96,9 +100,10 @@ fn a_level_that_is_not_finite_spoils_the_total_alone() {
         total: Some(Float::with_val(80, rug::float::Special::Nan)),
         ..refused(level.n)
     };
-    let summary = summarize(&unit, &unit.rows[0], 1.0).unwrap();
-    assert_eq!(summary.discretization.verdict, Verdict::Confirmed);
+    let summary = summarize(&unit, &unit.rows[0], 1.0, Errors::Split).unwrap();
     assert_eq!(summary.total.verdict, Verdict::NotFinite);
+    let discretization = summary.split.unwrap().discretization;
+    assert_eq!(discretization.verdict, Verdict::Confirmed);
 }
 
 #[test]

@@ -7,7 +7,7 @@ use volver::case::manufacture::manufacture;
 use volver::real::FormatName;
 use volver::real::counted::{Counts, Kind};
 use volver::study::Silent;
-use volver::study::sweep::Sweep;
+use volver::study::sweep::{Errors, Sweep};
 use volver::study::tradeoff::{
     Cost, Outcome, Point, Settings, Timing, USUAL_METHOD, Unit, cheapest, front, run,
 };
@@ -172,6 +172,7 @@ fn errors_are_exact_and_the_usual_choice_runs_beside() {
             ],
             formats: vec![FormatName::F64, FormatName::Mpfr(160)],
             levels: vec![1, 4],
+            errors: Errors::default(),
         },
         timed: false,
     };
