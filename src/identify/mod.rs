@@ -49,7 +49,7 @@ pub use against::{Against, Difference, Known, against, differences};
 pub use deviation::{Deviation, deviations, misbehaviour, right_of};
 pub use examined::{Examined, Verdict, examine};
 pub use finding::NotIdentified;
-pub use gradient::{GradientFound, Off, gradients};
+pub use gradient::{GradientFound, GradientsTogether, Off, gradients};
 pub use holdout::{HoldOut, Kind, Miss};
 pub use identification::{Bracket, Identification, Parameter, Parts, VacuumFails};
 pub(crate) use opacity_answered::NAME as OPACITY_ANSWERED;

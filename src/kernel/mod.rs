@@ -47,6 +47,9 @@ pub use task::{Data, FormKind, Formula, Samples, Segments, Table, Task, Volume};
 
 use std::fmt::Debug;
 
+/// What is answered to several tasks with cotangents, one result a task.
+pub type Gradients = Vec<Result<(Rendering, Gradient), KernelError>>;
+
 /// An implementation under test.
 pub trait Kernel: Debug + Send {
     /// What it says of itself.
@@ -87,6 +90,18 @@ pub trait Kernel: Debug + Send {
     ) -> Result<(Rendering, Gradient), KernelError> {
         let _ = (task, cotangents);
         Err(KernelError::NoGradient)
+    }
+
+    /// Gradients of several tasks, each with its own cotangents, in a single request, where there are requests.
+    ///
+    /// # Errors
+    /// [`KernelError`] where no ray has an answer, [`KernelError::Together`] where they are too many.
+    fn gradients_together(
+        &mut self,
+        asked: &[(Task<'_>, &[f64])],
+    ) -> Result<Gradients, KernelError> {
+        let one = |(task, cotangents): &(Task<'_>, &[f64])| self.gradient(task, cotangents);
+        Ok(asked.iter().map(one).collect())
     }
 
     /// Forgets failures: what is asked next has nothing to do with what was asked before. One that was given up

@@ -221,6 +221,9 @@ fn the_own_values_name_the_wrong_term() {
     let own = &document["own_values"];
     assert_eq!(own["agree"], own["compared"]);
     assert_eq!(own["compared"], 141);
+    // Three rays in one request, and four in another, with cotangents of their own each.
+    let together = serde_json::json!({"rays": 7, "differ": 0});
+    assert_eq!(own["together"], together);
 }
 
 #[test]
