@@ -29,7 +29,7 @@ mod part;
 mod places;
 mod pose;
 mod precision;
-mod random;
+pub(crate) mod random;
 mod ray;
 pub mod rule;
 mod scattered;
@@ -52,6 +52,8 @@ pub use finding::NotIdentified;
 pub use gradient::{GradientFound, GradientsTogether, Off, gradients};
 pub use holdout::{HoldOut, Kind, Miss};
 pub use identification::{Bracket, Identification, Parameter, Parts, VacuumFails};
+#[cfg(feature = "studies")]
+pub(crate) use number::simplest;
 pub(crate) use opacity_answered::NAME as OPACITY_ANSWERED;
 pub use opacity_answered::OpacityAnswered;
 pub use part::{Part, Stated, parts};

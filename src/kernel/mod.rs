@@ -36,7 +36,7 @@ pub use closure::Closure;
 pub use cut::{Cut, CutError, MAX_TASK_SEGMENTS};
 pub use declaration::{Declaration, DeclarationError, Sampling, WallAt};
 pub use error::KernelError;
-pub use gradient::{Gradient, GradientAt};
+pub use gradient::{Gradient, GradientAt, InnerProduct};
 pub use gridded::Gridded;
 pub use medium::Medium;
 pub use quantity::{DepthWeights, Quantity};

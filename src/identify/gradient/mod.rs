@@ -118,6 +118,10 @@ pub fn gradients(
     let Some(at) = kernel.declaration().gradient else {
         return Err(NotIdentified::new("no gradient is declared"));
     };
+    if kernel.declaration().stochastic {
+        let reason = "a kernel that draws random numbers has its values in the mean alone";
+        return Err(NotIdentified::new(reason));
+    }
     let mut session = Session::new(kernel, budget, heard);
     let (alike, of_calls) = others::one_after_another(&mut session, at)?;
     if let Some(deviation) = of_calls {

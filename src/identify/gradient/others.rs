@@ -273,7 +273,7 @@ pub(super) fn one_after_another(
         FIRST..SCALES.len(),
     );
     let found = fitting(&OF_CALLS, &known, &SCALES, &answers, unit, 0..FIRST);
-    let found = found.filter(|found| is_same(*found, held_out));
+    let found = found.filter(|found| is_same(found, held_out));
     let deviation = found.map(|found| of(found, ONE_AFTER_ANOTHER, "rays asked after these"));
     let rays = all.into_iter().zip(&answers).zip(SCALES);
     let rays = rays.map(|(((probe, entries), answer), scale)| {
