@@ -4,7 +4,8 @@
 
 The radiance is I = Σ T α C with α = 1 − exp(−τ δ) and T = Π (1 − α) over the samples before. The gradient of Σ aₖ Iₖ is
 aₖ T α by C, and by τ δ (T′ Σ aₖ C − Σ aₖ R), where T′ is what passes the sample too and R what comes from behind it.
-Samples stand in the middles of segments; with --sampling front at their fronts. --far-wall gives the last one the length
+Samples stand in the middles of segments; with --sampling front at their fronts, with --sampling jittered anywhere in them,
+by the task's seed, between values at both ends: then derivatives scatter, and are compared in the mean. --far-wall gives the last one the length
 1e10, --background takes what is behind the ray.
 
 --fault builds in a mistake of the kind that is made, to see it found: transmittance, factor, sign, own-light, detached,
@@ -13,6 +14,7 @@ channels, length, nan.
 
 import argparse
 import math
+import random
 
 import volver_kernel
 
@@ -21,7 +23,7 @@ FAULTS = ["transmittance", "factor", "sign", "own-light", "detached", "channels"
 
 def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
-    parser.add_argument("--sampling", choices=["front", "middle"], default="middle")
+    parser.add_argument("--sampling", choices=["front", "middle", "jittered"], default="middle")
     parser.add_argument("--fault", choices=FAULTS)
     ends = parser.add_mutually_exclusive_group()
     ends.add_argument("--far-wall", action="store_true")
@@ -35,16 +37,43 @@ def main():
         if options.far_wall:
             lengths[-1] = 1e10
         samples = task["data"][at]
+        places = None
+        if options.sampling == "jittered":
+            places = [chance() for chance in [random.Random(task["seed"]).random] * len(lengths)]
+            samples = between(samples, places)
         background = task.get("background") or [0.0] * len(task["channels"])
         result = {"radiance": radiance(lengths, samples, background)}
         if "cotangents" in task:
-            result["gradient"] = gradient(lengths, samples, background, task["cotangents"], options.fault)
+            found = gradient(lengths, samples, background, task["cotangents"], options.fault)
+            result["gradient"] = found if places is None else to_ends(found, places)
         return result
 
     declaration = {"name": "gradient", "form": "segments", "format": "f64", "gradient": at}
     declaration.update(far_wall=options.far_wall, background=options.background)
-    declaration["method"] = f"front-to-back/{options.sampling}/expm1"
+    if options.sampling == "jittered":
+        declaration.update(stochastic=True, sampling="jittered")
+    else:
+        declaration["method"] = f"front-to-back/{options.sampling}/expm1"
     volver_kernel.serve(declaration, render)
+
+
+def between(ends, places):
+    """Values at places of segments, from 0 to 1, linear between their ends."""
+    row = lambda values: [(1 - u) * a + u * b for u, a, b in zip(places, values, values[1:])]
+    return {"extinction": row(ends["extinction"]), "emission": [row(values) for values in ends["emission"]]}
+
+
+def to_ends(found, places):
+    """The derivatives by the ends that values were interpolated from."""
+
+    def row(values):
+        ends = [0.0] * (len(values) + 1)
+        for i, (u, value) in enumerate(zip(places, values)):
+            ends[i] += (1 - u) * value
+            ends[i + 1] += u * value
+        return ends
+
+    return {"extinction": row(found["extinction"]), "emission": [row(values) for values in found["emission"]]}
 
 
 def weights(lengths, samples):

@@ -12,7 +12,10 @@ use volver::identify;
 use volver::kernel::KernelError;
 use volver::report::gradient::{Own, document, is_other, json, write};
 use volver::study::gradient::{CASES, Conclusion, GradientError, Gradients, gradients};
-use volver::study::verify::{Axis, Identify, Settings};
+use volver::study::verify::{Axis, Identify, REPLICAS, Settings, SettingsError};
+
+/// Rays of the kernel's own values: six a value, of fourteen rays that have more where it takes multiples of many segments.
+const OWN_VALUES: u64 = 4_000;
 
 const EXAMPLES: &str = "\
 The kernel declares by which values it differentiates: \"gradient\": \"middles\" or
@@ -21,26 +24,30 @@ length that the sample stands for, are compared with T C − R and τ T, R being
 from behind: the error at every level, the largest and in the mean square, and its order.
 On seven small rays they are also compared with the kernel's own values, which need no
 small steps, and the term that is wrong is named.
+Of a kernel that draws random numbers it is the mean over seeds, of sums along the ray:
+its bias beside its standard error, and the order with which a bias falls.
 docs/gradient.md says more.
 
 The exit code is 0 where of both derivatives more lines are confirmed than not, but for those
 that rounding ends, and none is contradicted; 1 where not, or where derivatives are not
 those of the kernel's own values; 2 where it could not run.
 
-Work: cases × levels, at most 64 levels of 524288 segments, each asked once and the coarsest
-twice; a program has --timeout for each answer. A bar on the terminal says how much is left.
+Work: cases × levels × seeds, at most 64 levels of 524288 segments, each asked once and the
+coarsest twice; a program has --timeout for each answer. A bar on the terminal says how much is left.
 
 CASES are names that 'volver cases' lists, NAME/CHANNEL, tags, or paths of case files.
 LADDER is as for 'volver reproduce'.
 
 JSON: conclusion, counts, orders, at, sampling, and of every case its cotangents, left_out,
-troubles, failures and lines with derivative, norm, order, half_width, verdict and samples;
+troubles, failures and lines with derivative, norm, order, half_width, verdict and samples,
+or means with derivative, summed_with, bias, standard_error, verdict and fit;
 own_values with compared, agree, left_out, deviations and the one that is farthest off.
 
 Examples:
   volver gradient python3 examples/kernels/gradient.py
   volver gradient --cases rgb-transfer --levels 8..512 python3 examples/kernels/gradient.py
-  volver gradient --json - python3 examples/kernels/gradient.py --sampling front";
+  volver gradient --json - python3 examples/kernels/gradient.py --sampling front
+  volver gradient --replicas 60 python3 examples/kernels/gradient.py --sampling jittered";
 
 /// Put the gradients of a kernel to the test
 #[derive(Args)]
@@ -56,6 +63,9 @@ pub(crate) struct Gradient {
     /// Numbers of segments [default: 9,21,33,69,129,261,513,1029]
     #[arg(long, value_name = "LADDER", alias = "ladder", value_parser = Ladder::from_str)]
     levels: Option<Ladder>,
+    /// Seeds a level, for kernels that draw random numbers [default: 30]
+    #[arg(long, value_name = "N", value_parser = replicas, allow_negative_numbers = true)]
+    replicas: Option<usize>,
     /// Write one JSON document; - is standard output, without the table
     #[arg(long, value_name = "FILE")]
     json: Option<PathBuf>,
@@ -68,6 +78,10 @@ pub(crate) struct Gradient {
     /// Colour the verdicts
     #[arg(long, value_enum, default_value = "auto", value_name = "WHEN")]
     color: Color,
+}
+
+fn replicas(text: &str) -> Result<usize, SettingsError> {
+    Settings::replicas(text.parse().unwrap_or(0))
 }
 
 impl Gradient {
@@ -95,7 +109,11 @@ impl Gradient {
         let found = gradients(kernel.as_mut(), &subjects, &settings, &bar);
         bar.finish();
         kernel.renew();
-        let own = identify::gradients(kernel.as_mut(), identify::Budget::default(), &mut |_| ());
+        let budget = identify::Budget {
+            rays: OWN_VALUES,
+            ..identify::Budget::default()
+        };
+        let own = identify::gradients(kernel.as_mut(), budget, &mut |_| ());
         // The child is gone before the last word.
         drop(kernel);
         let found = found.map_err(|error| self.failed(error))?;
@@ -116,6 +134,7 @@ impl Gradient {
         let settings = settings.map_err(|error| Failure::Usage(format!("--levels: {error}")))?;
         Ok(Settings {
             identify: Identify::Off,
+            replicas: self.replicas.unwrap_or(REPLICAS),
             ..settings
         })
     }

@@ -1,6 +1,7 @@
 //! Arguments, output and exit codes; no numerics.
 
 mod about;
+mod adjoint;
 mod ask;
 mod budget;
 mod case;
@@ -80,6 +81,7 @@ pub(crate) enum Command {
     Check(check::Check),
     Gradient(gradient::Gradient),
     GradientTest(gradient_test::GradientTest),
+    Adjoint(adjoint::Adjoint),
     Ask(ask::Ask),
     New(new::New),
     Reproduce(reproduce::Reproduce),
@@ -107,6 +109,7 @@ impl Command {
             Command::Check(arguments) => arguments.run(),
             Command::Gradient(arguments) => arguments.run(),
             Command::GradientTest(arguments) => arguments.run(),
+            Command::Adjoint(arguments) => arguments.run(),
             Command::Ask(arguments) => arguments.run(),
             Command::New(arguments) => arguments.run(),
             Command::Reproduce(arguments) => arguments.run(),

@@ -2,7 +2,7 @@
 
 /// The simplest number between two: with the fewest digits, or 1 by an integer; their middle where none is simpler.
 #[must_use]
-pub(super) fn simplest(low: f64, high: f64) -> f64 {
+pub(crate) fn simplest(low: f64, high: f64) -> f64 {
     let (low, high) = if low <= high {
         (low, high)
     } else {

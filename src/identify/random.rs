@@ -5,10 +5,10 @@ use rand_pcg::Pcg64;
 
 /// A stream of numbers.
 #[derive(Clone, Debug)]
-pub(super) struct Random(Pcg64);
+pub(crate) struct Random(Pcg64);
 
 impl Random {
-    pub(super) fn new(seed: u64) -> Self {
+    pub(crate) fn new(seed: u64) -> Self {
         Random(Pcg64::seed_from_u64(seed))
     }
 
@@ -35,7 +35,7 @@ impl Random {
         low + further.min(high - low)
     }
 
-    pub(super) fn many(&mut self, count: usize, low: f64, high: f64) -> Vec<f64> {
+    pub(crate) fn many(&mut self, count: usize, low: f64, high: f64) -> Vec<f64> {
         (0..count).map(|_| self.within(low, high)).collect()
     }
 

@@ -243,6 +243,33 @@ impl<'k> Session<'k> {
         })
     }
 
+    /// The same of several rays, each with its own cotangents, in a single request; or why none has an answer.
+    pub(super) fn derivatives_together(
+        &mut self,
+        asked: &[(&Ray, Vec<f64>)],
+        at: GradientAt,
+    ) -> Result<Result<Vec<Result<Gradient, KernelError>>, KernelError>, Silence> {
+        for (ray, _) in asked {
+            self.count(ray.segments.count())?;
+        }
+        let tasks: Vec<(Task<'_>, &[f64])> = asked
+            .iter()
+            .map(|(ray, cotangents)| (ray.task(), cotangents.as_slice()))
+            .collect();
+        self.kernel.renew();
+        let answered = self.kernel.gradients_together(&tasks);
+        Ok(answered.map(|answered| {
+            let missing =
+                std::iter::repeat_with(|| Err(KernelError::GradientAsked { given: false }));
+            let all = asked.iter().zip(answered.into_iter().chain(missing));
+            let checked = all.map(|((ray, _), answer)| {
+                let (_, gradient) = answer?;
+                gradient.checked(at, &ray.segments, ray.channels.len())
+            });
+            checked.collect()
+        }))
+    }
+
     /// Several rays in one request.
     pub(super) fn together(&mut self, rays: &[Ray]) -> Vec<Result<Answer, Silence>> {
         let mut posed = Vec::with_capacity(rays.len());

@@ -1,7 +1,8 @@
 //! What a kernel says of itself.
 
-use super::GradientAt;
-use super::{DepthWeights, FormKind, Quantity, Quantum, Source, UlpBound};
+use super::{
+    DepthWeights, FormKind, GradientAt, InnerProduct, Quantity, Quantum, Source, UlpBound,
+};
 use crate::method::{Expected, Method, Position};
 use crate::real::FormatName;
 use std::fmt;
@@ -20,6 +21,9 @@ pub struct Declaration {
     pub form: FormKind,
     /// By which values it differentiates, where it does.
     pub gradient: Option<GradientAt>,
+    /// In which inner product of these values its gradient of the optical depth is the adjoint Aᵀ y, where it is a
+    /// projector y = A x.
+    pub adjoint: Option<InnerProduct>,
     /// How many rays it takes in one request as arrays, where it is a process that does.
     pub batch: Option<NonZeroUsize>,
     /// The method of this crate that it means to be, if there is one: then the order expected on every case
@@ -78,6 +82,7 @@ impl Declaration {
             name: name.into(),
             form: FormKind::Segments,
             gradient: None,
+            adjoint: None,
             batch: None,
             method: None,
             order: None,

@@ -32,6 +32,35 @@ impl GradientAt {
     }
 }
 
+/// The inner product of values, in which a backprojector is the adjoint of a projector.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum InnerProduct {
+    /// Σ xᵢ zᵢ.
+    Plain,
+    /// Σ dᵢ xᵢ zᵢ, dᵢ the length that value i stands for.
+    Lengths,
+}
+
+impl InnerProduct {
+    /// Its name, as in the protocol and in JSON.
+    #[must_use]
+    pub fn name(self) -> &'static str {
+        match self {
+            InnerProduct::Plain => "plain",
+            InnerProduct::Lengths => "lengths",
+        }
+    }
+
+    /// In words.
+    #[must_use]
+    pub fn meaning(self) -> &'static str {
+        match self {
+            InnerProduct::Plain => "plain: Σ xᵢ zᵢ",
+            InnerProduct::Lengths => "lengths: Σ dᵢ xᵢ zᵢ, dᵢ the length that value i stands for",
+        }
+    }
+}
+
 /// The derivatives of Σₖ aₖ Iₖ, aₖ the cotangents of the channels, by the numbers of a task.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Gradient {

@@ -40,7 +40,7 @@ pub use closure::Closure;
 pub use cut::{Cut, CutError, MAX_TASK_SEGMENTS};
 pub use declaration::{Declaration, DeclarationError, Sampling, WallAt};
 pub use error::KernelError;
-pub use gradient::{Gradient, GradientAt};
+pub use gradient::{Gradient, GradientAt, InnerProduct};
 pub use gridded::Gridded;
 pub use medium::Medium;
 pub use quantity::{DepthWeights, Quantity};
@@ -51,6 +51,9 @@ pub use subject::{Subject, SubjectError};
 pub use task::{Data, FormKind, Formula, Samples, Segments, Table, Task, Volume};
 
 use std::fmt::Debug;
+
+/// What is answered to several tasks with cotangents, one result a task.
+pub type Gradients = Vec<Result<(Rendering, Gradient), KernelError>>;
 
 /// An implementation under test.
 pub trait Kernel: Debug + Send {
@@ -92,6 +95,18 @@ pub trait Kernel: Debug + Send {
     ) -> Result<(Rendering, Gradient), KernelError> {
         let _ = (task, cotangents);
         Err(KernelError::NoGradient)
+    }
+
+    /// Gradients of several tasks, each with its own cotangents, in a single request, where there are requests.
+    ///
+    /// # Errors
+    /// [`KernelError`] where no ray has an answer, [`KernelError::Together`] where they are too many.
+    fn gradients_together(
+        &mut self,
+        asked: &[(Task<'_>, &[f64])],
+    ) -> Result<Gradients, KernelError> {
+        let one = |(task, cotangents): &(Task<'_>, &[f64])| self.gradient(task, cotangents);
+        Ok(asked.iter().map(one).collect())
     }
 
     /// Forgets failures: what is asked next has nothing to do with what was asked before. One that was given up

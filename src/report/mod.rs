@@ -13,6 +13,7 @@
 //! | [`verify`](mod@verify) | a kernel put to the test |
 //! | [`extremes`] | digits of a kernel at the extremes |
 //! | [`gradient`] | gradients of a kernel beside theory |
+//! | [`adjoint`] | a projector beside its backprojector |
 //! | [`gradient_test`] | Taylor remainders of anybody's gradient |
 //! | [`identify`] | what a kernel computes |
 //! | [`stress`] | digits and verdicts at the extremes |
@@ -24,6 +25,8 @@
 //! | [`proofs`] | cases as theorems |
 //! | [`comparison`] | several reports on one page, what differs first |
 
+#[cfg(feature = "studies")]
+pub mod adjoint;
 #[cfg(feature = "studies")]
 pub mod cases;
 #[cfg(feature = "studies")]

@@ -1,6 +1,8 @@
 //! What to run, and running it: methods × levels × formats, node values shared.
 
 #[cfg(feature = "studies")]
+pub mod adjoint;
+#[cfg(feature = "studies")]
 pub mod extremes;
 #[cfg(feature = "studies")]
 pub mod gradient;

@@ -221,6 +221,46 @@ fn the_own_values_name_the_wrong_term() {
     let own = &document["own_values"];
     assert_eq!(own["agree"], own["compared"]);
     assert_eq!(own["compared"], 141);
+    // Three rays in one request, and four in another, with cotangents of their own each.
+    let together = serde_json::json!({"rays": 7, "differ": 0});
+    assert_eq!(own["together"], together);
+}
+
+#[test]
+fn a_kernel_that_draws_random_numbers_is_compared_in_the_mean() {
+    let options = [
+        "--cases",
+        "rgb-transfer",
+        "--levels",
+        "16..256",
+        "--replicas",
+        "40",
+    ];
+    let json = [&options[..], &["--json", "-"]].concat();
+    let document = gradient(&json, &["--sampling", "jittered"])
+        .with_code(0)
+        .json();
+    assert_eq!(document["replicas"], 40);
+    let means = document["cases"][0]["means"].as_array().unwrap();
+    assert_eq!(means.len(), 4);
+    assert!(means.iter().all(|mean| mean["standing"] == "confirmed"));
+    // Their own values are those of a seed.
+    assert!(document["own_values"]["not_compared"].is_string());
+    let wrong = ["--sampling", "jittered", "--fault", "sign"];
+    let document = gradient(&json, &wrong).with_code(1).json();
+    for mean in document["cases"][0]["means"].as_array().unwrap() {
+        let is_wrong = mean["derivative"] == "extinction";
+        assert_eq!(mean["verdict"] == "biased", is_wrong, "{mean}");
+    }
+    let run = gradient(&options, &wrong).with_code(1);
+    assert!(run.out.contains("biased by -2.0e0"), "{}", run.out);
+    assert!(run.out.contains("4 of them"), "{}", run.out);
+    let run = gradient(&["--replicas", "3"], &[]).with_code(2);
+    assert!(
+        run.err.contains("no number of seeds (allowed: 8"),
+        "{}",
+        run.err
+    );
 }
 
 #[test]

@@ -10,6 +10,7 @@
     clippy::cast_sign_loss
 )]
 
+mod adjoint;
 mod assert;
 mod extremes;
 mod gradient;

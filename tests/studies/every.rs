@@ -58,6 +58,14 @@ pub(crate) fn commands() -> Vec<(&'static str, &'static str)> {
             "",
         ),
         (
+            concat!(
+                "adjoint python3 ",
+                env!("CARGO_MANIFEST_DIR"),
+                "/examples/kernels/projector.py"
+            ),
+            "",
+        ),
+        (
             "gradient-test -",
             "0.4,8e-2\n0.2,2e-2\n0.1,5e-3\n0.05,1.25e-3\n",
         ),

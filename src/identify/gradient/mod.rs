@@ -5,6 +5,7 @@
 //! such composite, central differences do, to as many digits as two of them agree.
 
 mod faults;
+mod others;
 mod own;
 mod rays;
 
@@ -15,6 +16,7 @@ use super::state::is_same;
 use super::{NotIdentified, Silence};
 use crate::kernel::{Gradient, Kernel};
 use faults::named;
+pub use others::GradientsTogether;
 use own::{Entry, Side, measured};
 use rays::{Probe, rays};
 use std::fmt;
@@ -32,6 +34,8 @@ pub struct GradientFound {
     pub deviations: Vec<Deviation>,
     /// The derivative that is farthest off.
     pub worst: Option<Off>,
+    /// What came of several rays in one request; `None` where the kernel takes fewer.
+    pub shared: Option<GradientsTogether>,
     /// What it cost.
     pub spent: Spent,
 }
@@ -84,8 +88,7 @@ struct Ray {
 
 impl Ray {
     fn sides(&self) -> impl Iterator<Item = Side> + use<> {
-        let channels = self.answered.len() - 1;
-        std::iter::once(Side::Extinction).chain((0..channels).map(Side::Emission))
+        sides(self.answered.len() - 1)
     }
 
     /// Derivatives by values of that side, place by place.
@@ -96,6 +99,11 @@ impl Ray {
         };
         self.entries.iter().zip(self.answered[row].iter().copied())
     }
+}
+
+/// By τ, then by C of every channel.
+fn sides(channels: usize) -> impl Iterator<Item = Side> {
+    std::iter::once(Side::Extinction).chain((0..channels).map(Side::Emission))
 }
 
 /// Compares a kernel's gradient with its values, and names what is wrong; `heard` hears of every ray.
@@ -110,7 +118,19 @@ pub fn gradients(
     let Some(at) = kernel.declaration().gradient else {
         return Err(NotIdentified::new("no gradient is declared"));
     };
+    if kernel.declaration().stochastic {
+        let reason = "a kernel that draws random numbers has its values in the mean alone";
+        return Err(NotIdentified::new(reason));
+    }
     let mut session = Session::new(kernel, budget, heard);
+    let (alike, of_calls) = others::one_after_another(&mut session, at)?;
+    if let Some(deviation) = of_calls {
+        // Nothing that is asked singly is its own ray's.
+        let mut found = judged(&alike.rays, alike.unit);
+        found.deviations.push(deviation);
+        found.spent = session.spent;
+        return Ok(found);
+    }
     let probes = rays(&mut session);
     let mut all = Vec::new();
     for probe in probes {
@@ -140,6 +160,10 @@ pub fn gradients(
     let precision = Precision::of(&numbers);
     let mut found = judged(&all, unit.max(precision.unit()));
     found.deviations = named(&all, unit, precision);
+    if let Some((shared, deviation)) = others::together(&mut session, &alike, at)? {
+        found.shared = Some(shared);
+        found.deviations.extend(deviation);
+    }
     found.spent = session.spent;
     Ok(found)
 }

@@ -92,7 +92,32 @@ const MAKES: [Make; 7] = [
 /// The rays, of two channels each.
 pub(super) fn rays(session: &mut Session<'_>) -> Vec<Probe> {
     let mut random = Random::new(211);
-    let mut one = |(k, make): (usize, &Make)| {
+    let cotangents = COTANGENTS.iter().cycle();
+    let all = MAKES.iter().zip(cotangents);
+    all.map(|(make, cotangents)| make.probe(session, &mut random, cotangents))
+        .collect()
+}
+
+/// So many rays of as many segments, with the same cotangents; in nothing else are they alike.
+pub(super) fn alike(session: &mut Session<'_>, count: usize) -> Vec<Probe> {
+    let mut random = Random::new(223);
+    let one = |k: usize| {
+        let make = Make {
+            name: "one of several rays",
+            n: 4,
+            step: 0.5 + 0.125 * k as f64,
+            depths: [0.2, 1.1],
+            inside: None,
+            held_out: false,
+        };
+        make.probe(session, &mut random, &COTANGENTS[0])
+    };
+    (0..count).map(one).collect()
+}
+
+impl Make {
+    fn probe(&self, session: &mut Session<'_>, random: &mut Random, cotangents: &[f64]) -> Probe {
+        let make = self;
         let n = make.n.next_multiple_of(session.multiple);
         let [low, high] = make.depths;
         let mut depths = |count: usize| -> Vec<f64> {
@@ -120,9 +145,8 @@ pub(super) fn rays(session: &mut Session<'_>) -> Vec<Probe> {
             ray: session.ray(&layers, &emission),
             layers,
             emission,
-            cotangents: COTANGENTS[k % COTANGENTS.len()].to_vec(),
+            cotangents: cotangents.to_vec(),
             held_out: make.held_out,
         }
-    };
-    MAKES.iter().enumerate().map(&mut one).collect()
+    }
 }

@@ -132,7 +132,10 @@ fn rendering(
         });
         let gradient = match (gradient, declaration.gradient, task.cut()) {
             (Some(gradient), Some(at), Some(segments)) => {
-                Some(gradient.checked(at, segments, wanted)?)
+                // A projector knows no emission.
+                let is_projector = declaration.adjoint.is_some();
+                let channels = if is_projector { 0 } else { wanted };
+                Some(gradient.checked(at, segments, channels)?)
             }
             _ => None,
         };

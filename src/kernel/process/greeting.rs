@@ -75,6 +75,9 @@ fn greeting(version: u64, hello: KernelHello) -> Result<Greeting, String> {
     if hello.gradient.is_some() && version < SECOND {
         return Err(of_second("gradient", version));
     }
+    if hello.adjoint.is_some() && version < SECOND {
+        return Err(of_second("adjoint", version));
+    }
     if hello.batch.is_some() && version < SECOND {
         return Err(of_second("batch", version));
     }
@@ -114,6 +117,12 @@ fn greeting(version: u64, hello: KernelHello) -> Result<Greeting, String> {
     if hello.gradient.is_some() && form != FormKind::Segments {
         return Err("gradient of another form (allowed: with the form segments)".into());
     }
+    let is_projector = hello.gradient.is_some() && answers[..] == [Quantity::OpticalDepth];
+    if hello.adjoint.is_some() && !is_projector {
+        return Err(
+            "adjoint of no projector (allowed: beside gradient and the answers [\"optical_depth\"])".into(),
+        );
+    }
     let format = match hello.format {
         Some(name) => named("format", &name)?,
         None => FormatName::F64,
@@ -126,6 +135,7 @@ fn greeting(version: u64, hello: KernelHello) -> Result<Greeting, String> {
         form,
         batch: batch(hello.batch, form, format)?,
         gradient: hello.gradient.map(Into::into),
+        adjoint: hello.adjoint.map(Into::into),
         method: hello
             .method
             .map(|name| named("method", &name))
@@ -248,6 +258,7 @@ impl Greeting {
             ("far_wall", a.far_wall == b.far_wall),
             ("background", a.background == b.background),
             ("gradient", a.gradient == b.gradient),
+            ("adjoint", a.adjoint == b.adjoint),
             ("batch", a.batch == b.batch),
             ("answers", a.answers == b.answers),
             ("expected_depth", a.expected_depth == b.expected_depth),

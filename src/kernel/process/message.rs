@@ -2,7 +2,7 @@
 
 use super::number::Number;
 use super::written::{Array, Numbers, Written};
-use crate::kernel::{DepthWeights, GradientAt, Quantity, Sampling, Source};
+use crate::kernel::{DepthWeights, GradientAt, InnerProduct, Quantity, Sampling, Source};
 #[cfg(feature = "studies")]
 use schemars::JsonSchema;
 use serde::de::{DeserializeOwned, Error};
@@ -120,6 +120,9 @@ pub(super) struct KernelHello {
     pub(super) expected_depth: Option<WireDepthWeights>,
     /// It answers gradients too, by the values there; of segments alone. Of version 2.
     pub(super) gradient: Option<WireGradientAt>,
+    /// A projector: its gradients are those of y times the optical depth, which is the adjoint in that inner product of the
+    /// values. Of version 2.
+    pub(super) adjoint: Option<WireInnerProduct>,
     /// So many rays at once it takes, as frames and not as text; of segments alone. Of version 2.
     #[cfg_attr(feature = "studies", schemars(range(min = 1, max = 1_000_000)))]
     pub(super) batch: Option<u64>,
@@ -293,6 +296,24 @@ impl From<WireGradientAt> for GradientAt {
     }
 }
 
+/// The inner product of values.
+#[derive(Clone, Copy, Debug, Deserialize)]
+#[cfg_attr(feature = "studies", derive(JsonSchema), schemars(inline))]
+#[serde(rename_all = "lowercase")]
+pub(super) enum WireInnerProduct {
+    Plain,
+    Lengths,
+}
+
+impl From<WireInnerProduct> for InnerProduct {
+    fn from(product: WireInnerProduct) -> Self {
+        match product {
+            WireInnerProduct::Plain => InnerProduct::Plain,
+            WireInnerProduct::Lengths => InnerProduct::Lengths,
+        }
+    }
+}
+
 /// The derivatives of Σₖ aₖ Iₖ, aₖ being the task's cotangents, by its numbers.
 #[derive(Debug, Deserialize)]
 #[cfg_attr(feature = "studies", derive(JsonSchema), schemars(rename = "Gradient"))]
@@ -300,7 +321,8 @@ impl From<WireGradientAt> for GradientAt {
 pub(super) struct WireGradient {
     /// By τ at the places declared.
     pub(super) extinction: Vec<Number>,
-    /// By C of every channel there.
+    /// By C of every channel there; of a projector none.
+    #[serde(default)]
     pub(super) emission: Vec<Vec<Number>>,
 }
 

@@ -35,7 +35,7 @@ pub use spoken::{answer, greeting, request};
 pub use written::Numbers;
 
 use super::pieces::{in_pieces, one};
-use super::{Declaration, Gradient, Kernel, KernelError, Rendering, Task};
+use super::{Declaration, Gradient, Gradients, Kernel, KernelError, Rendering, Task};
 use child::Child;
 use files::Files;
 use frame::Frame;
@@ -180,7 +180,7 @@ impl ProcessKernel {
     fn request(
         &mut self,
         tasks: &[&Task<'_>],
-        cotangents: Option<&[f64]>,
+        cotangents: Option<&[&[f64]]>,
     ) -> Result<Results, KernelError> {
         if let Some(last) = &self.last_failure
             && self.failures >= self.options.max_failures.max(1)
@@ -212,7 +212,7 @@ impl ProcessKernel {
     fn ask(
         &mut self,
         tasks: &[&Task<'_>],
-        cotangents: Option<&[f64]>,
+        cotangents: Option<&[&[f64]]>,
     ) -> Result<Results, KernelError> {
         self.last_id += 1;
         let mut writer = Writer {
@@ -297,7 +297,7 @@ impl ProcessKernel {
         &self,
         line: &[u8],
         tasks: &[&Task<'_>],
-        cotangents: Option<&[f64]>,
+        cotangents: Option<&[&[f64]]>,
     ) -> Result<(), KernelError> {
         let Some(log) = &self.options.log else {
             return Ok(());
@@ -359,6 +359,14 @@ fn start(
     }
 }
 
+/// An answer and its gradient, which was asked for.
+fn parted(result: Result<Rendering, KernelError>) -> Result<(Rendering, Gradient), KernelError> {
+    let mut rendering = result?;
+    let gradient = rendering.gradient.take();
+    let gradient = gradient.ok_or(KernelError::GradientAsked { given: false })?;
+    Ok((rendering, gradient))
+}
+
 impl Kernel for ProcessKernel {
     fn declaration(&self) -> &Declaration {
         &self.greeting.declaration
@@ -398,11 +406,32 @@ impl Kernel for ProcessKernel {
         if given != wanted {
             return Err(KernelError::Form { given, wanted });
         }
-        let mut results = self.request(&[task], Some(cotangents))?;
-        let mut rendering = results.pop().unwrap_or(Err(KernelError::NoGradient))?;
-        let gradient = rendering.gradient.take();
-        let gradient = gradient.ok_or(KernelError::GradientAsked { given: false })?;
-        Ok((rendering, gradient))
+        let mut results = self.request(&[task], Some(&[cotangents]))?;
+        parted(results.pop().unwrap_or(Err(KernelError::NoGradient)))
+    }
+
+    fn gradients_together(
+        &mut self,
+        asked: &[(Task<'_>, &[f64])],
+    ) -> Result<Gradients, KernelError> {
+        if self.declaration().gradient.is_none() {
+            return Err(KernelError::NoGradient);
+        }
+        let wanted = self.declaration().form;
+        let other = asked.iter().map(|(task, _)| task.data.kind());
+        if let Some(given) = other.into_iter().find(|given| *given != wanted) {
+            return Err(KernelError::Form { given, wanted });
+        }
+        let (tasks, cotangents): (Vec<&Task<'_>>, Vec<&[f64]>) = asked
+            .iter()
+            .map(|(task, cotangents)| (task, *cotangents))
+            .unzip();
+        let (rays, most) = (tasks.len(), self.at_once(&tasks));
+        if most < rays {
+            return Err(KernelError::Together { rays, most });
+        }
+        let results = self.request(&tasks, Some(&cotangents))?;
+        Ok(results.into_iter().map(parted).collect())
     }
 
     fn renew(&mut self) {

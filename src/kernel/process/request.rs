@@ -13,8 +13,8 @@ pub(super) struct Writer<'f> {
     pub(super) numbers: Numbers,
     /// Whether tasks have a background.
     pub(super) background: bool,
-    /// One a channel, where a gradient is wanted.
-    pub(super) cotangents: Option<&'f [f64]>,
+    /// Of every task one a channel, where gradients are wanted.
+    pub(super) cotangents: Option<&'f [&'f [f64]]>,
     /// Where arrays go that do not go into the message.
     pub(super) files: Option<&'f mut Files>,
 }
@@ -22,7 +22,8 @@ pub(super) struct Writer<'f> {
 impl Writer<'_> {
     /// The request's line, with its end.
     pub(super) fn line(&mut self, id: u64, tasks: &[&Task<'_>]) -> io::Result<Vec<u8>> {
-        let tasks: io::Result<Vec<_>> = tasks.iter().map(|task| self.task(task)).collect();
+        let tasks = tasks.iter().enumerate();
+        let tasks: io::Result<Vec<_>> = tasks.map(|(at, task)| self.task(at, task)).collect();
         let request = Render {
             tag: RenderTag::Render,
             id,
@@ -33,7 +34,7 @@ impl Writer<'_> {
         Ok(line)
     }
 
-    fn task<'a>(&mut self, task: &Task<'a>) -> io::Result<WireTask<'a>> {
+    fn task<'a>(&mut self, at: usize, task: &Task<'a>) -> io::Result<WireTask<'a>> {
         let length = Native::<f64>::new().ratio(task.subject.length());
         Ok(WireTask {
             case: task.subject.name(),
@@ -43,7 +44,10 @@ impl Writer<'_> {
             segments: task.segments,
             seed: task.seed,
             background: self.background.then(|| self.behind(task)),
-            cotangents: self.cotangents.map(|all| self.numbers_of(all)),
+            cotangents: self
+                .cotangents
+                .and_then(|all| all.get(at))
+                .map(|own| self.numbers_of(own)),
             data: self.data(task.data)?,
         })
     }

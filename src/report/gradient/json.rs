@@ -1,5 +1,6 @@
 //! Everything, for programs.
 
+use super::bias::Mean;
 use super::own::OwnValues;
 use super::{Own, is_other};
 use crate::case::Unproved;
@@ -20,6 +21,9 @@ struct Document<'a> {
     far_wall: bool,
     steps: String,
     ladder: &'a [u64],
+    /// Of a kernel that draws random numbers.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    replicas: Option<usize>,
     orders: Orders,
     conclusion: &'static str,
     counts: Counts,
@@ -53,6 +57,9 @@ struct Case<'a> {
     troubles: Vec<&'static str>,
     failures: Vec<Failure>,
     lines: Vec<Row<'a>>,
+    /// Of a kernel that draws random numbers.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    means: Vec<Mean<'a>>,
 }
 
 #[derive(Serialize)]
@@ -97,6 +104,9 @@ pub fn json(gradients: &Gradients, own: &Own) -> Result<String, ReportError> {
         far_wall: declaration.far_wall,
         steps: gradients.settings.steps.to_string(),
         ladder: &gradients.settings.ladder,
+        replicas: declaration
+            .stochastic
+            .then_some(gradients.settings.replicas),
         orders: Orders {
             extinction: gradients.orders[0],
             emission: gradients.orders[1],
@@ -140,6 +150,7 @@ fn case(case: &OfCase) -> Case<'_> {
         troubles: case.troubles.iter().map(|trouble| trouble.name()).collect(),
         failures: failures.collect(),
         lines: case.lines.iter().map(row).collect(),
+        means: case.biases.iter().map(Mean::of).collect(),
     }
 }
 

@@ -1,5 +1,6 @@
 //! Gradients of a kernel: beside theory.
 
+mod bias;
 mod json;
 mod own;
 mod words;
@@ -43,7 +44,11 @@ pub fn document(gradients: &Gradients, own: &Own, about: &About) -> Document {
     document.summary.extend(counts(gradients));
     document.conclusion = Some(document::Conclusion::new(words::whole(gradients, own)).toned(tone));
     document.sections = vec![
-        Section::of("theory", "Beside theory", [Block::Table(table(gradients))]),
+        Section::of(
+            "theory",
+            "Beside theory",
+            [Block::Table(beside_theory(gradients))],
+        ),
         Section::of("own", "Beside the kernel's own values", own::blocks(own)),
         Section::of("findings", "What is wrong", findings(gradients)),
         Section::of("run", "What was run", [run(gradients)]),
@@ -79,6 +84,15 @@ fn counts(gradients: &Gradients) -> Vec<Fact> {
     shown
         .map(|(standing, count, tone)| Fact::new(standing.name(), count.to_string()).toned(tone))
         .collect()
+}
+
+/// Means over seeds where there are seeds, orders where not.
+fn beside_theory(gradients: &Gradients) -> Table {
+    if gradients.declaration.stochastic {
+        bias::table(gradients)
+    } else {
+        table(gradients)
+    }
 }
 
 fn table(gradients: &Gradients) -> Table {
@@ -143,6 +157,9 @@ fn run(gradients: &Gradients) -> Block {
         Fact::new("samples", places(gradients)),
         Fact::new("segments", ladder.join(", ")),
     ];
+    if gradients.declaration.stochastic {
+        facts.extend(bias::facts(gradients));
+    }
     let all = gradients.cases.iter().filter_map(left_out);
     facts.extend(all.map(|said| Fact::new("left out", said)));
     for case in &gradients.cases {

@@ -24,6 +24,19 @@ pub(super) fn blocks(own: &Own) -> Vec<Block> {
     if found.left_out > 0 {
         facts.push(Fact::new("left out, at kinks", found.left_out.to_string()));
     }
+    if let Some(shared) = found.shared {
+        let alone = shared.rays - shared.differ;
+        let words = format!(
+            "{alone} of {} rays have the gradient that they have alone",
+            shared.rays
+        );
+        let tone = if shared.differ == 0 {
+            Tone::Good
+        } else {
+            Tone::Bad
+        };
+        facts.push(Fact::new("several in one request", words).toned(tone));
+    }
     facts.push(Fact::new("rays", found.spent.rays.to_string()));
     let mut blocks = vec![Block::Facts(facts)];
     let named = found.deviations.iter().map(|deviation| {
@@ -52,6 +65,9 @@ pub(super) struct OwnValues<'a> {
     deviations: Vec<Named<'a>>,
     #[serde(skip_serializing_if = "Option::is_none")]
     farthest: Option<String>,
+    /// Several rays in one request; none where the kernel takes fewer.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    together: Option<Together>,
     rays: u64,
     /// Why nothing was compared.
     #[serde(skip_serializing_if = "Option::is_none")]
@@ -59,10 +75,19 @@ pub(super) struct OwnValues<'a> {
 }
 
 #[derive(Serialize)]
+struct Together {
+    rays: usize,
+    differ: usize,
+}
+
+#[derive(Serialize)]
 struct Named<'a> {
     name: &'a str,
     value: Option<f64>,
     bracket: Option<(f64, f64)>,
+    /// Rays that it was not found with, and holds on.
+    #[serde(skip_serializing_if = "<[String]>::is_empty")]
+    validated: &'a [String],
     does: &'a str,
 }
 
@@ -80,10 +105,15 @@ impl<'a> OwnValues<'a> {
                     name: deviation.name,
                     value: deviation.value,
                     bracket: deviation.bracket,
+                    validated: &deviation.validated,
                     does: &deviation.does,
                 })
                 .collect(),
             farthest: found.and_then(|found| found.worst.as_ref().map(ToString::to_string)),
+            together: found.and_then(|found| found.shared).map(|shared| Together {
+                rays: shared.rays,
+                differ: shared.differ,
+            }),
             rays: found.map_or(0, |found| found.spent.rays),
             not_compared: own.as_ref().err().map(|why| why.reason.as_str()),
         }

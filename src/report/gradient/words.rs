@@ -1,13 +1,14 @@
 //! The words of a report on gradients.
 
 use super::Own;
+use crate::kernel::GradientAt;
 use crate::method::Expected;
 use crate::study::gradient::{
     Conclusion, Derivative, Gradients, Line, Norm, OfCase, Standing, Trouble,
 };
 
 /// What is differentiated by.
-fn letter(derivative: Derivative) -> &'static str {
+pub(super) fn letter(derivative: Derivative) -> &'static str {
     match derivative {
         Derivative::Extinction => "τ",
         Derivative::Emission => "C",
@@ -45,11 +46,18 @@ pub(super) fn verdict(case: &OfCase, line: &Line) -> String {
     let concerns = |trouble: &&Trouble| trouble.concerns(line.derivative);
     match troubles.find(concerns) {
         _ if line.standing == Standing::Failed => "failed".into(),
-        Some(Trouble::NotFinite { .. }) => "NaN".into(),
-        Some(Trouble::Zero(_)) => "exactly 0".into(),
-        Some(Trouble::Unsteady) => "unsteady".into(),
-        Some(Trouble::Unused { .. }) => "unused value".into(),
+        Some(trouble) => short(*trouble).into(),
         None => line.fit.verdict.name().into(),
+    }
+}
+
+/// In a table.
+pub(super) fn short(trouble: Trouble) -> &'static str {
+    match trouble {
+        Trouble::NotFinite { .. } => "NaN",
+        Trouble::Zero(_) => "exactly 0",
+        Trouble::Unsteady => "unsteady",
+        Trouble::Unused { .. } => "unused value",
     }
 }
 
@@ -82,6 +90,9 @@ pub(super) fn trouble(trouble: Trouble, gradients: &Gradients) -> String {
 pub(super) fn places(gradients: &Gradients) -> String {
     let places = &gradients.places;
     let stands_for = match places.sampling {
+        crate::kernel::Sampling::Jittered if places.at == GradientAt::Edges => {
+            "half of both segments beside it"
+        }
         crate::kernel::Sampling::Ends => "half of both segments beside it",
         crate::kernel::Sampling::Front => "the segment behind it",
         crate::kernel::Sampling::Back => "the segment in front of it",
@@ -142,7 +153,7 @@ pub(super) fn whole(gradients: &Gradients, own: &Own) -> String {
 /// Everything in a sentence, without a full stop.
 fn conclusion(gradients: &Gradients) -> String {
     let count = |standing| gradients.count(standing);
-    let all = gradients.lines().count();
+    let all = gradients.lines().count() + gradients.biases().count();
     let confirmed = count(Standing::Confirmed);
     let other: Vec<String> = [
         Standing::Contradicted,
@@ -164,7 +175,12 @@ fn conclusion(gradients: &Gradients) -> String {
         Conclusion::NotConfirmed => "the gradient is not confirmed",
         Conclusion::CouldNotRun => "no level was answered",
     };
-    format!("{name}: {is}: {confirmed} of {all} lines show the order expected{other}")
+    let what = if gradients.declaration.stochastic {
+        "means have no bias, or one that falls as expected"
+    } else {
+        "lines show the order expected"
+    };
+    format!("{name}: {is}: {confirmed} of {all} {what}{other}")
 }
 
 /// What the table means.

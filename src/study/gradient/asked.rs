@@ -1,10 +1,12 @@
 //! One case, asked level by level.
 
+mod drawn;
+
 use super::along::Theory;
 use super::compare::{Looked, numbers};
 use super::{
-    Derivative, Failure, GradientError, LeftOut, LevelError, Line, Norm, OfCase, Places, Standing,
-    Trouble, expected,
+    Bias, Derivative, Failure, GradientError, LeftOut, LevelError, Line, Norm, OfCase, Places,
+    Standing, Trouble, expected,
 };
 use crate::convergence::{Sample, fit};
 use crate::kernel::{
@@ -28,7 +30,11 @@ pub(super) struct Asked<'a> {
 /// Errors by derivative and norm.
 type Series = [[Vec<Sample>; 2]; 2];
 
+/// An answer with its gradient.
+type Answered = (Rendering, Gradient);
+
 /// What is found on the way.
+#[derive(Default)]
 struct Found {
     series: Series,
     left_out: LeftOut,
@@ -53,29 +59,15 @@ impl Asked<'_> {
         };
         let theory = Theory::new(subject, self.declaration.wall())?;
         let cotangents = cotangents(subject.channels().len());
-        let mut found = Found {
-            series: Series::default(),
-            left_out: LeftOut::default(),
-            samples: 0,
-            failures: Vec::new(),
-            troubles: Vec::new(),
-            integrated: 0.0,
-            is_zero: [None; 2],
-        };
+        let mut found = Found::default();
         let mut first = None;
         for cut in self.settings.cuts(subject.length()) {
             let level = Level::new(subject, cut).map_err(cut_error)?;
             let level_count = level.count;
-            match level.ask(kernel, subject, &cotangents) {
-                Ok((rendering, gradient)) => {
-                    self.look(
-                        &level,
-                        &theory,
-                        &cotangents,
-                        (&rendering, &gradient),
-                        &mut found,
-                    );
-                    first.get_or_insert((level, rendering, gradient));
+            match level.ask(kernel, subject, &cotangents, 0) {
+                Ok(answer) => {
+                    self.look(&level, &theory, &cotangents, &answer, &mut found);
+                    first.get_or_insert((level, answer));
                 }
                 Err(error) => found.failures.push(Failure {
                     segments: level.count,
@@ -85,9 +77,9 @@ impl Asked<'_> {
             progress.advance(level_count);
         }
         // After all others: what keeps something of an answer for the next has another one by now.
-        if let Some((level, rendering, gradient)) = first {
-            match level.ask(kernel, subject, &cotangents) {
-                Ok(again) if is_same(&again, &(rendering, gradient)) => {}
+        if let Some((level, answer)) = first {
+            match level.ask(kernel, subject, &cotangents, 0) {
+                Ok(again) if is_same(&again, &answer) => {}
                 Ok(_) => found.troubles.push(Trouble::Unsteady),
                 Err(error) => found.failures.push(Failure {
                     segments: level.count,
@@ -95,24 +87,9 @@ impl Asked<'_> {
                 }),
             }
         }
-        for derivative in Derivative::ALL {
-            if found.is_zero[derivative as usize] == Some(true) {
-                found.troubles.push(Trouble::Zero(derivative));
-            }
-        }
+        found.note_zeros();
         let lines = self.lines(subject, &found)?;
-        Ok(OfCase {
-            name: subject.name().into(),
-            channels: subject.channels().to_vec(),
-            cotangents,
-            unproved: theory.unproved,
-            integrated: (found.integrated > 0.0).then_some(found.integrated),
-            left_out: found.left_out,
-            samples: found.samples,
-            failures: found.failures,
-            troubles: found.troubles,
-            lines,
-        })
+        Ok(found.of_case(subject, cotangents, &theory, lines, Vec::new()))
     }
 
     /// What one level shows.
@@ -121,7 +98,7 @@ impl Asked<'_> {
         level: &Level,
         theory: &Theory<'_>,
         cotangents: &[f64],
-        (rendering, gradient): (&Rendering, &Gradient),
+        answer: &Answered,
         found: &mut Found,
     ) {
         let segments = level.count;
@@ -131,46 +108,16 @@ impl Asked<'_> {
             .places
             .looked_at(&level.segments, self.declaration.far_wall);
         let along = theory.at(&samples.lambda);
-        found.left_out.kinks += left_out.kinks;
-        found.left_out.wall += left_out.wall;
-        found.left_out.uneven += left_out.uneven;
-        found.samples += lengths.iter().flatten().count();
-        found.integrated = found.integrated.max(along.error);
+        found.count(&left_out, &lengths, along.error);
         let looked = Looked {
             along: &along,
             lengths: &lengths,
             at: &at,
             cotangents,
         };
-        let has_value = rendering.radiance.iter().all(Float::is_finite);
-        // The first of a kind says enough.
-        let mut add = |trouble: Trouble, is_same: &dyn Fn(&Trouble) -> bool| {
-            if !found.troubles.iter().any(is_same) {
-                found.troubles.push(trouble);
-            }
-        };
+        found.note(segments, &looked, answer);
         for derivative in Derivative::ALL {
-            if has_value && !numbers(gradient, derivative).all(Float::is_finite) {
-                let trouble = Trouble::NotFinite {
-                    derivative,
-                    segments,
-                };
-                add(trouble, &|known| {
-                    known.name() == trouble.name() && known.concerns(derivative)
-                });
-            }
-        }
-        if looked.has_unused(gradient) {
-            let trouble = Trouble::Unused { segments };
-            add(trouble, &|known| known.name() == trouble.name());
-        }
-        for derivative in Derivative::ALL {
-            let errors = looked.errors(gradient, derivative);
-            let all_zero = numbers(gradient, derivative).all(Float::is_zero);
-            if !looked.is_zero(derivative) {
-                let before = found.is_zero[derivative as usize].unwrap_or(true);
-                found.is_zero[derivative as usize] = Some(before && all_zero);
-            }
+            let errors = looked.errors(&answer.1, derivative);
             let floor = self.floor(segments) + along.error / looked.scale(derivative);
             for norm in Norm::ALL {
                 let Some(error) = errors.norm(norm) else {
@@ -223,6 +170,82 @@ impl Asked<'_> {
     }
 }
 
+impl Found {
+    /// What no error is measured at, and how well theory is known.
+    fn count(&mut self, left_out: &LeftOut, lengths: &[Option<f64>], error: f64) {
+        self.left_out.kinks += left_out.kinks;
+        self.left_out.wall += left_out.wall;
+        self.left_out.uneven += left_out.uneven;
+        self.samples += lengths.iter().flatten().count();
+        self.integrated = self.integrated.max(error);
+    }
+
+    /// What is wrong with an answer whatever its errors are.
+    fn note(&mut self, segments: u64, looked: &Looked<'_>, (rendering, gradient): &Answered) {
+        let has_value = rendering.radiance.iter().all(Float::is_finite);
+        // The first of a kind says enough.
+        let mut add = |trouble: Trouble, is_same: &dyn Fn(&Trouble) -> bool| {
+            if !self.troubles.iter().any(is_same) {
+                self.troubles.push(trouble);
+            }
+        };
+        for derivative in Derivative::ALL {
+            if has_value && !numbers(gradient, derivative).all(Float::is_finite) {
+                let trouble = Trouble::NotFinite {
+                    derivative,
+                    segments,
+                };
+                add(trouble, &|known| {
+                    known.name() == trouble.name() && known.concerns(derivative)
+                });
+            }
+        }
+        if looked.has_unused(gradient) {
+            let trouble = Trouble::Unused { segments };
+            add(trouble, &|known| known.name() == trouble.name());
+        }
+        for derivative in Derivative::ALL {
+            let all_zero = numbers(gradient, derivative).all(Float::is_zero);
+            if !looked.is_zero(derivative) {
+                let before = self.is_zero[derivative as usize].unwrap_or(true);
+                self.is_zero[derivative as usize] = Some(before && all_zero);
+            }
+        }
+    }
+
+    /// Derivatives that were 0 in all answers.
+    fn note_zeros(&mut self) {
+        for derivative in Derivative::ALL {
+            if self.is_zero[derivative as usize] == Some(true) {
+                self.troubles.push(Trouble::Zero(derivative));
+            }
+        }
+    }
+
+    fn of_case(
+        self,
+        subject: &Subject,
+        cotangents: Vec<f64>,
+        theory: &Theory<'_>,
+        lines: Vec<Line>,
+        biases: Vec<Bias>,
+    ) -> OfCase {
+        OfCase {
+            name: subject.name().into(),
+            channels: subject.channels().to_vec(),
+            cotangents,
+            unproved: theory.unproved.clone(),
+            integrated: (self.integrated > 0.0).then_some(self.integrated),
+            left_out: self.left_out,
+            samples: self.samples,
+            failures: self.failures,
+            troubles: self.troubles,
+            lines,
+            biases,
+        }
+    }
+}
+
 /// One cut of a ray.
 struct Level {
     cut: Cut,
@@ -247,12 +270,13 @@ impl Level {
         kernel: &mut dyn Kernel,
         subject: &Subject,
         cotangents: &[f64],
-    ) -> Result<(Rendering, Gradient), LevelError> {
+        seed: u64,
+    ) -> Result<Answered, LevelError> {
         let task = Task {
             subject,
             step: self.step,
             segments: self.count,
-            seed: 0,
+            seed,
             data: Data::Segments(&self.segments),
         };
         let (rendering, gradient) = kernel.gradient(&task, cotangents)?;
@@ -287,9 +311,9 @@ fn cotangents(channels: usize) -> Vec<f64> {
 }
 
 /// Whether two answers are the same, NaN being the same as NaN.
-fn is_same(a: &(Rendering, Gradient), b: &(Rendering, Gradient)) -> bool {
+fn is_same(a: &Answered, b: &Answered) -> bool {
     let same = |a: &Float, b: &Float| a == b || (a.is_nan() && b.is_nan());
-    let all = |answer: &(Rendering, Gradient)| -> Vec<Float> {
+    let all = |answer: &Answered| -> Vec<Float> {
         let (rendering, gradient) = answer;
         let radiance = rendering.radiance.iter();
         let of = |derivative| numbers(gradient, derivative);

@@ -1,7 +1,7 @@
 //! Derivatives beside theory, at one level.
 
 use super::along::Along;
-use super::{Derivative, Norm};
+use super::{Against, Derivative, Norm};
 use crate::kernel::Gradient;
 use rug::Float;
 
@@ -102,6 +102,46 @@ impl Looked<'_> {
             }
         }
         errors
+    }
+
+    /// What the sum along the ray is off, as a part of what theory has without its signs; `None` where that is 0.
+    pub(super) fn part(
+        &self,
+        gradient: &Gradient,
+        derivative: Derivative,
+        against: Against,
+    ) -> Option<f64> {
+        let (mut off, mut size) = (Float::new(BITS), Float::new(BITS));
+        for (index, looked_at) in self.at.iter().enumerate() {
+            let Some(Some(length)) = self.lengths.get(index) else {
+                continue;
+            };
+            if !looked_at[derivative as usize] {
+                continue;
+            }
+            let theory = match derivative {
+                Derivative::Extinction => self.extinction(index),
+                Derivative::Emission => self.emission(index),
+            };
+            let weight = match against {
+                Against::Sum => Float::with_val(BITS, 1),
+                Against::Theory => theory.clone(),
+            };
+            let whole = theory * *length;
+            let mut add = |got: Float| {
+                off += (got - &whole) * &weight;
+                size += Float::with_val(BITS, &whole * &weight).abs();
+            };
+            match derivative {
+                Derivative::Extinction => add(at(&gradient.extinction, index)),
+                Derivative::Emission => {
+                    for (row, a) in gradient.emission.iter().zip(self.cotangents) {
+                        add(at(row, index) / *a);
+                    }
+                }
+            }
+        }
+        (!size.is_zero()).then(|| (off / size).to_f64())
     }
 
     /// Whether theory is 0, within rounding, wherever it is looked at.

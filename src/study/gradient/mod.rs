@@ -6,11 +6,13 @@
 
 mod along;
 mod asked;
+mod bias;
 mod compare;
 mod integrated;
 mod line;
 mod places;
 
+pub use bias::{Against, Bias, Biased};
 pub use line::{Line, Standing};
 pub use places::{LeftOut, Places, PlacesError};
 
@@ -19,7 +21,7 @@ use super::verify::{Settings, SettingsError, before};
 use crate::case::Unproved;
 use crate::convergence::Verdict;
 use crate::kernel::{
-    CutError, Declaration, DeclarationError, Kernel, KernelError, Subject, SubjectError,
+    CutError, Declaration, DeclarationError, Kernel, KernelError, Quantity, Subject, SubjectError,
 };
 use crate::method::Expected;
 use crate::reference::ReferenceError;
@@ -172,8 +174,10 @@ pub struct OfCase {
     pub failures: Vec<Failure>,
     /// What is wrong whatever the order is.
     pub troubles: Vec<Trouble>,
-    /// A derivative and norm each.
+    /// A derivative and norm each; none of a kernel that draws random numbers.
     pub lines: Vec<Line>,
+    /// Means over seeds, of a kernel that draws random numbers.
+    pub biases: Vec<Bias>,
 }
 
 /// What came out.
@@ -220,30 +224,45 @@ impl Gradients {
         self.cases.iter().flat_map(|case| &case.lines)
     }
 
-    /// How many lines stand so.
+    /// All means over seeds.
+    pub fn biases(&self) -> impl Iterator<Item = &Bias> {
+        self.cases.iter().flat_map(|case| &case.biases)
+    }
+
+    /// Of all lines and means what they say of which derivative, but for those that rounding ends.
+    fn standings(&self) -> impl Iterator<Item = (Derivative, Standing)> {
+        // Where rounding ends the ladder no gradient shows an order.
+        let shown = |line: &&Line| line.fit.verdict != Verdict::FloorLimited;
+        let lines = self.lines().filter(shown);
+        let lines = lines.map(|line| (line.derivative, line.standing));
+        let biases = self.biases().map(|bias| (bias.derivative, bias.standing));
+        lines.chain(biases)
+    }
+
+    /// How many lines and means stand so.
     #[must_use]
     pub fn count(&self, standing: Standing) -> usize {
-        self.lines()
-            .filter(|line| line.standing == standing)
-            .count()
+        let lines = self.lines().map(|line| line.standing);
+        let all = lines.chain(self.biases().map(|bias| bias.standing));
+        all.filter(|own| *own == standing).count()
     }
 
     /// What they say in all.
     #[must_use]
     pub fn conclusion(&self) -> Conclusion {
         let is_without = |case: &OfCase| {
-            !case.failures.is_empty() && case.lines.iter().all(|line| line.samples.is_empty())
+            !case.failures.is_empty()
+                && case.lines.iter().all(|line| line.samples.is_empty())
+                && case.biases.is_empty()
         };
         let is_shown = Derivative::ALL.into_iter().all(|derivative| {
-            // Where rounding ends the ladder no gradient shows an order.
-            let of = self.lines().filter(|line| {
-                line.derivative == derivative && line.fit.verdict != Verdict::FloorLimited
-            });
-            let (confirmed, other): (Vec<&Line>, Vec<&Line>) =
-                of.partition(|line| line.standing == Standing::Confirmed);
+            let of = self.standings().filter(|(own, _)| *own == derivative);
+            let (confirmed, other): (Vec<_>, Vec<_>) =
+                of.partition(|(_, standing)| *standing == Standing::Confirmed);
             confirmed.len() > other.len()
         });
-        let is_wrong = self.count(Standing::Contradicted) + self.count(Standing::Failed) > 0;
+        let is_failed = self.cases.iter().any(|case| !case.failures.is_empty());
+        let is_wrong = is_failed || self.count(Standing::Contradicted) > 0;
         if self.cases.iter().all(is_without) {
             Conclusion::CouldNotRun
         } else if is_shown && !is_wrong {
@@ -263,11 +282,9 @@ pub enum GradientError {
     /// It does not differentiate.
     #[error(transparent)]
     Kernel(#[from] KernelError),
-    /// It draws random numbers, so that derivatives scatter about theory.
-    #[error(
-        "a kernel that draws random numbers (allowed: one whose answers do not depend on seeds)"
-    )]
-    Stochastic,
+    /// Its gradient is of no radiance.
+    #[error("it answers no radiance (allowed: one that does; a projector has 'volver adjoint')")]
+    NoRadiance,
     /// It samples elsewhere than where it differentiates.
     #[error(transparent)]
     Places(#[from] PlacesError),
@@ -293,6 +310,14 @@ pub enum GradientError {
         /// Why.
         error: ReferenceError,
     },
+    /// Errors over seeds that no fit can take.
+    #[error("{case}: {error}")]
+    Replicas {
+        /// The case.
+        case: String,
+        /// Why.
+        error: crate::convergence::ReplicasError,
+    },
     /// Errors that no fit can take.
     #[error("{case}: {error}")]
     Fit {
@@ -317,8 +342,8 @@ pub fn gradients(
     let declaration = kernel.declaration().clone();
     declaration.check()?;
     let at = declaration.gradient.ok_or(KernelError::NoGradient)?;
-    if declaration.stochastic {
-        return Err(GradientError::Stochastic);
+    if !declaration.has(Quantity::Radiance) {
+        return Err(GradientError::NoRadiance);
     }
     let places = Places::of(&declaration, at)?;
     let settings = settings.suited(&declaration)?;
@@ -333,7 +358,11 @@ pub fn gradients(
     let mut cases = Vec::new();
     for subject in &lit {
         kernel.renew();
-        cases.push(asked.of(kernel, subject, progress)?);
+        cases.push(if declaration.stochastic {
+            asked.drawn(kernel, subject, progress)?
+        } else {
+            asked.of(kernel, subject, progress)?
+        });
     }
     Ok(Gradients {
         declaration,

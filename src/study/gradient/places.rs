@@ -71,6 +71,12 @@ impl Places {
                     is_declared: claimed.is_some(),
                 })
             }
+            // In the mean over seeds a value stands for what is interpolated with it.
+            (_, Sampling::Jittered) if declaration.stochastic => Ok(Places {
+                at,
+                sampling,
+                is_declared: true,
+            }),
             _ => Err(PlacesError { at, sampling }),
         }
     }
@@ -79,8 +85,9 @@ impl Places {
     #[must_use]
     pub fn order(self) -> f64 {
         match self.sampling {
-            Sampling::Middle | Sampling::Ends => 2.0,
-            Sampling::Front | Sampling::Back | Sampling::Jittered => 1.0,
+            // That of the mean, of jittered samples.
+            Sampling::Middle | Sampling::Ends | Sampling::Jittered => 2.0,
+            Sampling::Front | Sampling::Back => 1.0,
         }
     }
 
@@ -94,15 +101,15 @@ impl Places {
     }
 
     /// The length that each value stands for; `None` of one that is not used.
-    pub(super) fn lengths(self, segments: &Segments) -> Vec<Option<f64>> {
+    pub(in crate::study) fn lengths(self, segments: &Segments) -> Vec<Option<f64>> {
         let lengths: Vec<f64> = segments.lengths().collect();
         let behind = lengths.iter().copied().map(Some).chain([None]);
         let before = [None].into_iter().chain(lengths.iter().copied().map(Some));
         match self.sampling {
-            Sampling::Middle | Sampling::Jittered => lengths.iter().copied().map(Some).collect(),
+            _ if self.at == GradientAt::Middles => lengths.iter().copied().map(Some).collect(),
             Sampling::Front => behind.collect(),
             Sampling::Back => before.collect(),
-            Sampling::Ends => before
+            Sampling::Middle | Sampling::Jittered | Sampling::Ends => before
                 .zip(behind)
                 .map(|(before, behind)| {
                     Some(f64::midpoint(before.unwrap_or(0.0), behind.unwrap_or(0.0)))
@@ -127,7 +134,7 @@ impl Places {
         let of_wall = match self.sampling {
             _ if !far_wall => 0,
             // Both ends of the last segment.
-            Sampling::Ends => 2,
+            _ if self.is_shared() => 2,
             _ => 1,
         };
         let is_even = self.is_even(segments);
@@ -154,10 +161,15 @@ impl Places {
         (looked_at.collect(), left_out)
     }
 
+    /// Whether a value belongs to both segments beside it.
+    fn is_shared(self) -> bool {
+        self.at == GradientAt::Edges && matches!(self.sampling, Sampling::Ends | Sampling::Jittered)
+    }
+
     /// Of each value whether what it stands for lies about it.
     fn is_even(self, segments: &Segments) -> Vec<bool> {
         let count = self.at.count(segments.count());
-        if self.sampling != Sampling::Ends {
+        if !self.is_shared() {
             return vec![true; count];
         }
         let lengths: Vec<f64> = segments.lengths().collect();

@@ -1,5 +1,7 @@
 //! Gradients of kernels inside the process: samples at the ends of segments, and faults that need no program.
 
+mod drawn;
+
 use crate::kernel_verify::subjects;
 use rug::Float;
 use volver::convergence::Verdict;
@@ -249,17 +251,12 @@ fn samples_elsewhere_than_the_numbers_are_refused() {
     for (of, sampling) in [
         (GradientAt::Middles, Sampling::Front),
         (GradientAt::Edges, Sampling::Middle),
+        // Of a kernel that draws no random numbers.
         (GradientAt::Edges, Sampling::Jittered),
     ] {
         let error = asked(at(of, Some(sampling)), trapezoids).unwrap_err();
         assert!(matches!(error, GradientError::Places(_)), "{error}");
     }
-    let declaration = Declaration {
-        stochastic: true,
-        ..at(GradientAt::Edges, None)
-    };
-    let error = asked(declaration, trapezoids).unwrap_err();
-    assert_eq!(error, GradientError::Stochastic);
     let error = asked(Declaration::new("none"), trapezoids).unwrap_err();
     assert_eq!(error, GradientError::Kernel(KernelError::NoGradient));
 }

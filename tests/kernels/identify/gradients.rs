@@ -1,5 +1,7 @@
 //! Gradients: right ones, and what is said of wrong ones.
 
+mod others;
+
 use rug::Float;
 use volver::identify::{Budget, GradientFound, gradients};
 use volver::kernel::{
