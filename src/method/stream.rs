@@ -270,16 +270,13 @@ impl<'n, R: Real> Segments<'n, R> {
     fn next(&mut self) -> Option<&[Transfer<R>]> {
         self.segment.clear();
         let mut inside = self.inside.iter_mut();
-        match &mut self.boundaries {
-            Some(boundaries) => {
-                let back = boundaries.next()?;
-                let front = self.front.replace(back.clone())?;
-                self.segment.extend([front, back]);
-            }
-            None => {
-                let first = inside.next()?.next()?;
-                self.segment.extend([first.clone(), first.clone(), first]);
-            }
+        if let Some(boundaries) = &mut self.boundaries {
+            let back = boundaries.next()?;
+            let front = self.front.replace(back.clone())?;
+            self.segment.extend([front, back]);
+        } else {
+            let first = inside.next()?.next()?;
+            self.segment.extend([first.clone(), first.clone(), first]);
         }
         for march in inside {
             self.segment.push(march.next()?);

@@ -7,7 +7,7 @@ use volver::real::FormatName;
 use volver::real::counted::{Counts, Kind};
 use volver::render::{csv, html, latex, markdown, terminal};
 use volver::report::tradeoff;
-use volver::study::sweep::Header;
+use volver::study::sweep::{Errors, Header};
 use volver::study::tradeoff::{Cost, Outcome, Point, Results, Timing, Unit};
 
 const LEFT: &str = "front-to-back/front/subtraction";
@@ -51,6 +51,7 @@ fn results(units: Vec<Unit>) -> Results {
         methods: vec![LEFT.into()],
         formats: vec!["f32".into()],
         levels: (1..=units[0].points.len() as u64).collect(),
+        errors: Errors::default(),
     };
     Results::new(header, Cost::Modelled, Some(false), units)
 }

@@ -1,8 +1,8 @@
 //! What of a total error may be rounding, foreseen.
 
 use crate::case::{Case, Transfer};
-use crate::method::Method;
-use crate::real::FormatName;
+use crate::method::{Method, OpacityFormula};
+use crate::real::{FormatName, Ieee};
 use rug::Float;
 
 /// Segments of the ray that is looked at.
@@ -11,6 +11,8 @@ const SEGMENTS: u32 = 256;
 const MOVED: f64 = 1.0 / (1_u64 << 26) as f64;
 /// A sum of n terms that has so many bits below its terms rounds them up and down as by chance.
 const SPARE_BITS: u32 = 6;
+/// A depth whose rounding is so much, or more, is not known.
+const LOST: f64 = 0.125;
 const BITS: u32 = 64;
 
 /// How large the numbers are that a radiance is summed of, and how they answer to rounded inputs.
@@ -20,12 +22,17 @@ pub(super) struct Sizes {
     pub(super) terms: f64,
     /// The largest |C|.
     pub(super) emission: f64,
+    /// The largest |t|.
+    pub(super) depth: f64,
+    /// D.
+    pub(super) length: f64,
 }
 
 impl Sizes {
     /// Of a ray, at the middles of 256 segments in binary64. What is not finite there is left out: |I| is a size too.
     pub(super) fn of<C: Case>(case: &C) -> Sizes {
-        let step = case.length().to_f64() / f64::from(SEGMENTS);
+        let length = case.length().to_f64();
+        let step = length / f64::from(SEGMENTS);
         let at = |s: f64| {
             let Transfer {
                 emission,
@@ -38,6 +45,8 @@ impl Sizes {
         let mut sizes = Sizes {
             terms: 0.0,
             emission: 0.0,
+            depth: 0.0,
+            length,
         };
         for j in 0..SEGMENTS {
             let lambda = (f64::from(j) + 0.5) * step;
@@ -56,6 +65,7 @@ impl Sizes {
             let answer = source.abs() * (1.0 + depth.abs() + moved_depth)
                 + change(|(_, _, source)| source, source);
             depth += extinction * step / 2.0;
+            sizes.depth = sizes.depth.max(depth.abs());
             moved_depth += change(|(_, extinction, _)| extinction, extinction) * step;
             let term = answer * transmittance * step;
             if term.is_finite() {
@@ -73,6 +83,10 @@ impl Sizes {
     /// what is summed. That they are by chance needs terms that are no multiples of the sum's last place: where a term, one of n,
     /// has not [`SPARE_BITS`] bits below the sum they may all go one way, u·n. In fixed point, where an error is no part
     /// of its number, the unit is at least 1, and τ d loses as much in every segment: u·n as well.
+    ///
+    /// What is no small relative error comes besides: a depth of which rounding leaves no digit, with which any light may
+    /// come through; 1 − e^(−x) by subtraction, which is off by u whatever x; and what is less than a format's smallest
+    /// number, in each term or in all of τ.
     pub(super) fn floor(
         &self,
         radiance: &Float,
@@ -94,11 +108,37 @@ impl Sizes {
             n as f64
         };
         let mut floor = (size * roundings) >> bits;
-        if let Method::Composited(compositing) = method
-            && let Some(threshold) = compositing.threshold()
-        {
-            floor += Float::with_val(BITS, threshold.value()) * self.emission;
+        let lost = Float::with_val(BITS, self.depth * roundings) >> bits;
+        if lost > LOST {
+            floor += self.emission;
+        }
+        if let Some(exponent) = smallest(format) {
+            let numbers = n as f64 + self.length * (1.0 + self.emission);
+            floor += Float::with_val(BITS, numbers) << exponent;
+        }
+        if let Method::Composited(compositing) = method {
+            if compositing.opacity == OpacityFormula::Subtraction {
+                floor += Float::with_val(BITS, n as f64 * self.emission) >> bits;
+            }
+            if let Some(threshold) = compositing.threshold() {
+                floor += Float::with_val(BITS, threshold.value()) * self.emission;
+            }
         }
         floor
     }
+}
+
+/// The binary logarithm of the smallest number that a format has above 0; none where exponents have no end that matters.
+fn smallest(format: FormatName) -> Option<i32> {
+    let ieee = match format {
+        FormatName::F16 => Ieee::BINARY16,
+        FormatName::Bf16 => Ieee::BFLOAT16,
+        FormatName::F32 => Ieee::BINARY32,
+        FormatName::F64 => Ieee::BINARY64,
+        FormatName::Ieee(ieee) => ieee,
+        // Of fixed point it is the unit itself, which is a size already.
+        FormatName::Fixed(_) | FormatName::Mpfr(_) => return None,
+    };
+    let bits = i32::try_from(format.bits()).unwrap_or(i32::MAX);
+    Some(ieee.emin().saturating_sub(bits).saturating_add(1))
 }

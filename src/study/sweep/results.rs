@@ -4,7 +4,7 @@ use super::record::{Header, LevelRecord, Row, Theory, Unit};
 use super::summary::{Summary, summarize};
 use crate::case::Unproved;
 use crate::convergence::{FitError, Verdict};
-use crate::real::{MpfrReal, Real};
+use crate::real::{FormatName, MpfrReal, Real};
 use rug::Float;
 use std::f64::consts::LOG10_2;
 use std::ops::RangeInclusive;
@@ -142,12 +142,22 @@ impl Line {
 
     /// Whether the discretization, or the total error where that is all there is, says something else than theory, which no
     /// lack of levels, precision or sensitivity excuses. Of NaN and ∞ in a format it tells nothing: they are warnings.
+    ///
+    /// Of total errors neither do those in fixed point, whose numbers saturate without a sign, nor do signs that change
+    /// before rounding ends the ladder: finer levels might have shown an order.
     #[must_use]
     pub fn contradicts_theory(&self) -> bool {
         let expected = self.row.expected;
-        match self.summary.order().verdict {
-            Verdict::NotFinite => self.summary.split.is_some(),
-            Verdict::Diverged => true,
+        let found = self.summary.order();
+        if self.summary.split.is_none() {
+            let is_fixed = matches!(self.format.parse(), Ok(FormatName::Fixed(_)));
+            let ended = found.verdict == Verdict::Oscillatory && found.cut.is_some();
+            if is_fixed || ended || found.verdict == Verdict::NotFinite {
+                return false;
+            }
+        }
+        match found.verdict {
+            Verdict::Diverged | Verdict::NotFinite => true,
             _ if expected == Theory::Unknown => false,
             Verdict::TooLow | Verdict::TooHigh | Verdict::Oscillatory => true,
             Verdict::Stalled => expected != Theory::Order(0.0),
