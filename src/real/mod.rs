@@ -6,6 +6,7 @@
 //! Constants on a generic path are exact rationals ([`Format::ratio`], [`Format::fraction`]), rounded
 //! once. A binary64 literal there would silently cap every precision at 53 bits.
 
+mod any;
 pub mod counted;
 mod fixed;
 mod ieee;
@@ -15,6 +16,9 @@ mod native;
 mod row;
 pub mod special;
 
+pub use any::AnyReal;
+#[cfg(feature = "studies")]
+pub(crate) use any::Kind as AnyKind;
 pub use counted::{Counted, CountedReal, Counts};
 pub use fixed::{Fixed, FixedReal, MAX_FRACTION, MAX_INTEGER};
 pub use ieee::{Ieee, IeeeReal, MAX_EXPONENT, MAX_IEEE_BITS, Overflow};

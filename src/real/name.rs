@@ -5,8 +5,6 @@ mod error;
 pub use error::FormatError;
 
 use super::{Fixed, Format, Ieee, MAX_INTEGER, Mpfr, Native};
-#[cfg(feature = "half")]
-use half::{bf16, f16};
 use std::fmt;
 use std::str::FromStr;
 
@@ -15,7 +13,8 @@ pub const MIN_BITS: u32 = 2;
 /// Most bits an MPFR format may have here: a number then takes 128 KiB.
 pub const MAX_BITS: u32 = 1 << 20;
 
-/// A format chosen at run time.
+/// A format chosen at run time; itself a [`Format`], of [`AnyReal`](super::AnyReal)s. Without the feature `half`, `f16` and
+/// `bf16` are emulated: the same numbers, with functions rounded correctly.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum FormatName {
     /// IEEE binary16.
@@ -119,14 +118,7 @@ impl FormatName {
     /// Significant bits, as [`Format::bits`] counts them.
     #[must_use]
     pub fn bits(self) -> u32 {
-        struct Bits;
-        impl WithFormat for Bits {
-            type Output = u32;
-            fn run<F: Format>(self, format: F) -> u32 {
-                format.bits()
-            }
-        }
-        self.with(Bits)
+        Format::bits(self)
     }
 
     /// The smallest normal number, 2^emin; `None` of a fixed-point format, and of MPFR, whose numbers end out of reach.
@@ -158,22 +150,16 @@ impl FormatName {
         }
     }
 
-    /// Does `action` in this format; in `f16` and `bf16`, without the feature `half`, in the emulated format of the same numbers.
+    /// Does `action` in this format. What is done in binary32, binary64 and MPFR is compiled for each of them; in all
+    /// other formats the numbers are [`AnyReal`](super::AnyReal)s, so that it is compiled once for them together.
     pub fn with<W: WithFormat>(self, action: W) -> W::Output {
         match self {
-            #[cfg(feature = "half")]
-            FormatName::F16 => action.run(Native::<f16>::new()),
-            #[cfg(feature = "half")]
-            FormatName::Bf16 => action.run(Native::<bf16>::new()),
-            #[cfg(not(feature = "half"))]
-            FormatName::F16 => action.run(Ieee::BINARY16),
-            #[cfg(not(feature = "half"))]
-            FormatName::Bf16 => action.run(Ieee::BFLOAT16),
             FormatName::F32 => action.run(Native::<f32>::new()),
             FormatName::F64 => action.run(Native::<f64>::new()),
-            FormatName::Ieee(format) => action.run(format),
-            FormatName::Fixed(format) => action.run(format),
             FormatName::Mpfr(bits) => action.run(Mpfr { bits }),
+            FormatName::F16 | FormatName::Bf16 | FormatName::Ieee(_) | FormatName::Fixed(_) => {
+                action.run(self)
+            }
         }
     }
 }

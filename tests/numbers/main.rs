@@ -9,6 +9,7 @@
     clippy::float_cmp
 )]
 
+mod any;
 mod coarse_formats;
 mod counted;
 mod elementary;
