@@ -741,3 +741,28 @@ fn a_gradient_has_as_many_numbers_as_there_are_values() {
         br#"{"type":"hello","protocol":2,"name":"k","form":"volume","gradient":"middles"}"#;
     assert!(read_greeting(volume).is_err());
 }
+
+#[test]
+fn an_adjoint_is_that_of_a_projector() {
+    for (protocol, more, is_good) in [
+        (
+            2,
+            r#""gradient":"middles","answers":["optical_depth"],"adjoint":"lengths""#,
+            true,
+        ),
+        (2, r#""answers":["optical_depth"],"adjoint":"plain""#, false),
+        (2, r#""gradient":"middles","adjoint":"plain""#, false),
+        (
+            2,
+            r#""gradient":"edges","answers":["radiance","optical_depth"],"adjoint":"plain""#,
+            false,
+        ),
+        (1, r#""adjoint":"plain""#, false),
+    ] {
+        let hello = format!(
+            r#"{{"type":"hello","protocol":{protocol},"name":"k","form":"segments",{more}}}"#
+        );
+        let greeting = read_greeting(hello.as_bytes());
+        assert_eq!(greeting.is_ok(), is_good, "{more}");
+    }
+}
