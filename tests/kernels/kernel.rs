@@ -34,6 +34,9 @@ fn segments_have_the_values_that_methods_see() {
     }
 }
 
+/// A spacing, and what is even in it.
+type Map = (&'static str, fn(f64) -> f64);
+
 #[test]
 fn uneven_segments_lie_as_their_names_say() {
     let subject = subject("homogeneous");
@@ -49,8 +52,7 @@ fn uneven_segments_lie_as_their_names_say() {
         );
         segments.edges.lambda
     };
-    // What is even in each.
-    let maps: [(&str, fn(f64) -> f64); 3] = [
+    let maps: [Map; 3] = [
         ("square", |part| part.sqrt()),
         ("log", |part| (1.0 + 99.0 * part).ln() / 100_f64.ln()),
         ("disparity", |part| {

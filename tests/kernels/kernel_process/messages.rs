@@ -263,21 +263,27 @@ fn greetings_say_all_that_a_declaration_holds() {
     );
 }
 
+/// A greeting of version 2 with these answers.
+fn hello(answers: &str) -> Greeting {
+    let hello = format!(
+        r#"{{"type":"hello","protocol":2,"name":"a","form":"segments","answers":{answers}}}"#
+    );
+    read_greeting(hello.as_bytes()).unwrap()
+}
+
+/// An answer with one result.
+fn line(tag: &str, result: &str) -> Vec<u8> {
+    format!(r#"{{"type":"{tag}","id":7,"results":[{{{result}}}]}}"#).into_bytes()
+}
+
+const ALL: &str = r#"["radiance","opacity","optical_depth","expected_depth"]"#;
+const WHOLE: &str =
+    r#""radiance":[1],"opacity":"0x1p-1","optical_depth":"0.25","expected_depth":"inf""#;
+
 #[test]
 fn a_result_has_what_the_greeting_declares_and_no_more() {
-    let hello = |answers: &str| {
-        let hello = format!(
-            r#"{{"type":"hello","protocol":2,"name":"a","form":"segments","answers":{answers}}}"#
-        );
-        read_greeting(hello.as_bytes()).unwrap()
-    };
-    let all = hello(r#"["radiance","opacity","optical_depth","expected_depth"]"#);
-    let line = |tag: &str, result: &str| {
-        format!(r#"{{"type":"{tag}","id":7,"results":[{{{result}}}]}}"#).into_bytes()
-    };
-    let whole =
-        r#""radiance":[1],"opacity":"0x1p-1","optical_depth":"0.25","expected_depth":"inf""#;
-    let read = answered(&line("answer", whole), &all).unwrap().remove(0);
+    let all = hello(ALL);
+    let read = answered(&line("answer", WHOLE), &all).unwrap().remove(0);
     let read = read.unwrap();
     let value = |quantity| read.of(quantity, 0).unwrap().to_f64();
     assert_eq!(
@@ -321,12 +327,17 @@ fn a_result_has_what_the_greeting_declares_and_no_more() {
         let read = answered(&line("answer", result), greeting).unwrap();
         assert_eq!(read[0].as_ref().unwrap_err().to_string(), words);
     }
-    // No message of the protocol.
+}
+
+#[test]
+fn a_result_that_is_no_message_of_the_protocol_is_garbage() {
+    let all = hello(ALL);
+    let projector = hello(r#"["optical_depth"]"#);
     let first = greeting(53);
     for (tag, result, greeting, words) in [
         (
             "radiance",
-            whole,
+            WHOLE,
             &all,
             "another type of answer (allowed in protocol 2: 'answer')",
         ),

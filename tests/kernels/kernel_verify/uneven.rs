@@ -84,6 +84,9 @@ fn a_kernel_that_looks_at_every_length_is_confirmed() {
     }
 }
 
+/// The length that is taken for that of a segment, by the lengths of all, its number and the step.
+type Length = fn(&[f64], usize, f64) -> f64;
+
 #[test]
 fn one_length_for_all_is_seen() {
     let even = Settings {
@@ -91,7 +94,7 @@ fn one_length_for_all_is_seen() {
         identify: Identify::Off,
         ..Settings::standard(Axis::Step).unwrap()
     };
-    let faults: [fn(&[f64], usize, f64) -> f64; 3] = [
+    let faults: [Length; 3] = [
         |_, _, step| step,
         |lengths, _, _| lengths[0],
         // The neighbour's.
