@@ -5,8 +5,9 @@
 The radiance is I = Σ T α C with α = 1 − exp(−τ δ) and T = Π (1 − α) over the samples before. The gradient of Σ aₖ Iₖ is
 aₖ T α by C, and by τ δ (T′ Σ aₖ C − Σ aₖ R), where T′ is what passes the sample too and R what comes from behind it.
 Samples stand in the middles of segments; with --sampling front at their fronts, with --sampling jittered anywhere in them,
-by the task's seed, between values at both ends: then derivatives scatter, and are compared in the mean. --far-wall gives the last one the length
-1e10, --background takes what is behind the ray.
+by the task's seed, between values at both ends: then derivatives scatter, and are compared in the mean. --far-wall gives
+the last one the length 1e10, --background takes what is behind the ray. --rectifier has no slope where τ is 0, as behind
+max(τ, 0): legal, and said.
 
 --fault builds in a mistake of the kind that is made, to see it found: transmittance, factor, sign, own-light, detached,
 channels, length, nan.
@@ -25,6 +26,7 @@ def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("--sampling", choices=["front", "middle", "jittered"], default="middle")
     parser.add_argument("--fault", choices=FAULTS)
+    parser.add_argument("--rectifier", action="store_true")
     ends = parser.add_mutually_exclusive_group()
     ends.add_argument("--far-wall", action="store_true")
     ends.add_argument("--background", action="store_true")
@@ -45,6 +47,9 @@ def main():
         result = {"radiance": radiance(lengths, samples, background)}
         if "cotangents" in task:
             found = gradient(lengths, samples, background, task["cotangents"], options.fault)
+            if options.rectifier:
+                pairs = zip(found["extinction"], samples["extinction"])
+                found["extinction"] = [slope if tau > 0.0 else 0.0 for slope, tau in pairs]
             result["gradient"] = found if places is None else to_ends(found, places)
         return result
 

@@ -154,6 +154,7 @@ fn kinks_are_left_out_and_counted() {
     assert_eq!(vacuum["left_out"]["kinks"], vacuum["samples"]);
     // Its first sample, at every level.
     assert_eq!(sine["left_out"]["kinks"], 8);
+    assert_eq!(sine["left_out"]["flat"], 0);
     for line in vacuum["lines"].as_array().unwrap() {
         // By C all of them are looked at, and are 0 as they should be.
         let (count, verdict) = match line["derivative"].as_str() {
@@ -165,6 +166,25 @@ fn kinks_are_left_out_and_counted() {
             assert_eq!(line["verdict"], verdict, "{line}");
         }
     }
+}
+
+#[test]
+fn a_vacuum_without_a_slope_is_legal_and_said() {
+    let kernel = ["--sampling", "front", "--rectifier"];
+    let options = ["--cases", "sine-squared", "--json", "-"];
+    // Not for that: one line of this case alone is better than its order, with a slope and without.
+    let document = gradient(&options, &kernel).with_code(1).json();
+    assert_eq!(document["counts"]["contradicted"], 0);
+    // Its first sample, at every level.
+    let left_out = &document["cases"][0]["left_out"];
+    assert_eq!(
+        (&left_out["kinks"], &left_out["flat"]),
+        (&8.into(), &8.into())
+    );
+    let text = gradient(&["--cases", "sine-squared"], &kernel).with_code(1);
+    let words: Vec<&str> = text.out.split_whitespace().collect();
+    let said = "a vacuum without a slope: 8 of them are 0, as behind a rectifier";
+    assert!(words.join(" ").contains(said), "{}", text.out);
 }
 
 #[test]

@@ -65,6 +65,7 @@ struct Case<'a> {
 #[derive(Serialize)]
 struct LeftOut {
     kinks: usize,
+    flat: usize,
     wall: usize,
     uneven: usize,
 }
@@ -142,6 +143,7 @@ fn case(case: &OfCase) -> Case<'_> {
         samples: case.samples,
         left_out: LeftOut {
             kinks: case.left_out.kinks,
+            flat: case.left_out.flat,
             wall: case.left_out.wall,
             uneven: case.left_out.uneven,
         },

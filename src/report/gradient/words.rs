@@ -114,8 +114,14 @@ pub(super) fn places(gradients: &Gradients) -> String {
 pub(super) fn left_out(case: &OfCase) -> Option<String> {
     let mut parts = Vec::new();
     if case.left_out.kinks > 0 {
+        let flat = match case.left_out.flat {
+            0 => String::new(),
+            flat => {
+                format!(" (a vacuum without a slope: {flat} of them are 0, as behind a rectifier)")
+            }
+        };
         parts.push(format!(
-            "{} by τ where τ is within 1e-6 of 0",
+            "{} by τ where τ is within 1e-6 of 0{flat}",
             case.left_out.kinks
         ));
     }

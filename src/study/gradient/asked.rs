@@ -108,13 +108,17 @@ impl Asked<'_> {
             .places
             .looked_at(&level.segments, self.declaration.far_wall);
         let along = theory.at(&samples.lambda);
-        found.count(&left_out, &lengths, along.error);
         let looked = Looked {
             along: &along,
             lengths: &lengths,
             at: &at,
             cotangents,
         };
+        let left_out = LeftOut {
+            flat: looked.flat(&answer.1),
+            ..left_out
+        };
+        found.count(&left_out, &lengths, along.error);
         found.note(segments, &looked, answer);
         for derivative in Derivative::ALL {
             let errors = looked.errors(&answer.1, derivative);
@@ -174,6 +178,7 @@ impl Found {
     /// What no error is measured at, and how well theory is known.
     fn count(&mut self, left_out: &LeftOut, lengths: &[Option<f64>], error: f64) {
         self.left_out.kinks += left_out.kinks;
+        self.left_out.flat += left_out.flat;
         self.left_out.wall += left_out.wall;
         self.left_out.uneven += left_out.uneven;
         self.samples += lengths.iter().flatten().count();

@@ -160,6 +160,20 @@ impl Looked<'_> {
         })
     }
 
+    /// At how many kinks the derivative by τ is 0 although theory's is not.
+    pub(super) fn flat(&self, gradient: &Gradient) -> usize {
+        let small = self.scale(Derivative::Extinction) * f64::EPSILON;
+        let is_flat = |(index, looked_at): (usize, &[bool; 2])| {
+            // What else is left out is so by C, too.
+            let is_kink = *looked_at == [false, true];
+            is_kink
+                && at(&gradient.extinction, index).is_zero()
+                && self.extinction(index).to_f64().abs() > small
+        };
+        let flat = self.at.iter().enumerate().filter(|one| is_flat(*one));
+        flat.count()
+    }
+
     /// Whether a value that is not used has a derivative.
     pub(super) fn has_unused(&self, gradient: &Gradient) -> bool {
         let rows = gradient.emission.iter().chain([&gradient.extinction]);

@@ -25,6 +25,9 @@ pub struct Places {
 pub struct LeftOut {
     /// Where τ is that close to 0: a rectifier may have any slope there.
     pub kinks: usize,
+    /// Of these where the kernel's derivative is 0 and theory's is not: a vacuum without a slope, so that no extinction
+    /// ever grows there.
+    pub flat: usize,
     /// The last of a far wall.
     pub wall: usize,
     /// Of ends those with segments of two lengths beside them, or one alone: what they stand for does not lie about them.
