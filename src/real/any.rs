@@ -33,7 +33,7 @@ pub struct AnyReal(Kind);
 
 /// The kind of format, and the number.
 #[derive(Clone, Debug)]
-pub(crate) enum Kind {
+enum Kind {
     F16(Binary16),
     Bf16(Bfloat16),
     F32(f32),
@@ -151,12 +151,6 @@ impl Format for FormatName {
 }
 
 impl AnyReal {
-    /// The number in its own format's type.
-    #[cfg(feature = "studies")]
-    pub(crate) fn kind(&self) -> &Kind {
-        &self.0
-    }
-
     /// This number in that format.
     #[cold]
     fn rounded_to(&self, format: FormatName) -> AnyReal {

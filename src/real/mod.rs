@@ -17,8 +17,6 @@ mod row;
 pub mod special;
 
 pub use any::AnyReal;
-#[cfg(feature = "studies")]
-pub(crate) use any::Kind as AnyKind;
 pub use counted::{Counted, CountedReal, Counts};
 pub use fixed::{Fixed, FixedReal, MAX_FRACTION, MAX_INTEGER};
 pub use ieee::{Ieee, IeeeReal, MAX_EXPONENT, MAX_IEEE_BITS, Overflow};

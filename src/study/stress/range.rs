@@ -1,10 +1,6 @@
 //! Where a format's numbers end, and how well it rounds between the ends.
 
-use crate::real::{
-    AnyKind, AnyReal, Fixed, FixedReal, Format, FormatName, Ieee, Mpfr, MpfrReal, Native,
-    NativeFloat, Real,
-};
-use half::{bf16, f16};
+use crate::real::{Fixed, FixedReal, Format, Ieee, Native, NativeFloat, Real};
 
 /// What the error model needs to know of a format: fl(a ∘ b) = (a ∘ b)(1 + δ) + ε with |δ| ≤ u and |ε| ≤ η.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -110,55 +106,4 @@ impl Range for Fixed {
     fn is_end(x: &FixedReal) -> bool {
         x.abs().quanta() == x.format().int(i64::MAX).quanta()
     }
-}
-
-/// Its ends are out of every run's reach.
-impl Range for Mpfr {
-    fn rounding(self) -> Rounding {
-        floating(self.bits, f64::NEG_INFINITY)
-    }
-    fn is_zero(x: &MpfrReal) -> bool {
-        x.as_float().is_zero()
-    }
-    fn is_negative(x: &MpfrReal) -> bool {
-        x.as_float().is_sign_negative() && !x.as_float().is_zero()
-    }
-    fn is_subnormal(_: &MpfrReal) -> bool {
-        false
-    }
-    fn is_end(_: &MpfrReal) -> bool {
-        false
-    }
-}
-
-/// What a number's own format says of it.
-macro_rules! by_kind {
-    ($($test:ident),*) => {$(
-        fn $test(x: &AnyReal) -> bool {
-            match x.kind() {
-                AnyKind::F16(x) => Native::<f16>::$test(x),
-                AnyKind::Bf16(x) => Native::<bf16>::$test(x),
-                AnyKind::F32(x) => Native::<f32>::$test(x),
-                AnyKind::F64(x) => Native::<f64>::$test(x),
-                AnyKind::Ieee(x) => Ieee::$test(x),
-                AnyKind::Fixed(x) => Fixed::$test(x),
-                AnyKind::Mpfr(x) => Mpfr::$test(x),
-            }
-        }
-    )*};
-}
-
-impl Range for FormatName {
-    fn rounding(self) -> Rounding {
-        match self {
-            FormatName::F16 => Native::<f16>::new().rounding(),
-            FormatName::Bf16 => Native::<bf16>::new().rounding(),
-            FormatName::F32 => Native::<f32>::new().rounding(),
-            FormatName::F64 => Native::<f64>::new().rounding(),
-            FormatName::Ieee(format) => format.rounding(),
-            FormatName::Fixed(format) => format.rounding(),
-            FormatName::Mpfr(bits) => Mpfr { bits }.rounding(),
-        }
-    }
-    by_kind! { is_zero, is_negative, is_subnormal, is_end }
 }

@@ -19,6 +19,7 @@ use crate::method::{
 use crate::parallel;
 use crate::real::{Format, FormatName, Native, Real};
 use crate::study::Progress;
+use half::{bf16, f16};
 use rug::{Float, Rational};
 use std::cmp::Reverse;
 
@@ -122,11 +123,14 @@ fn cell(scenario: &Scenario, method: &Method, kind: Kind, format: FormatName) ->
             exact: &exact,
         };
         match format {
-            // Of these runs are long.
+            FormatName::F16 => run.fill(&mut cell, Native::<f16>::new()),
+            FormatName::Bf16 => run.fill(&mut cell, Native::<bf16>::new()),
             FormatName::F32 => run.fill(&mut cell, Native::<f32>::new()),
             FormatName::F64 => run.fill(&mut cell, Native::<f64>::new()),
-            // One type for all others: to be watched, the methods are compiled once for them, not once a format.
-            _ => run.fill(&mut cell, format),
+            FormatName::Ieee(format) => run.fill(&mut cell, format),
+            FormatName::Fixed(format) => run.fill(&mut cell, format),
+            // Refused beforehand.
+            FormatName::Mpfr(_) => Ok(()),
         }
     });
     if let Err(error) = run {
