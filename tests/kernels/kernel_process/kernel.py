@@ -183,8 +183,9 @@ for line in requests:
         print("\x1b[31mthe end", file=sys.stderr, flush=True)
         send("?\n")
     elif MODE == "prints":
-        print('{"type":"radiance","id":1,"results":[]}', flush=True)
-        print("rendering", file=sys.stderr)
+        # In one piece each: printed unbuffered, a text and its end come apart, and another line may come between.
+        os.write(1, b'{"type":"radiance","id":1,"results":[]}\n')
+        os.write(2, b"rendering\n")
         answer(request)
     elif MODE == "dies-at-7" and any(task["segments"] == 7 for task in request["tasks"]):
         os.kill(os.getpid(), signal.SIGSEGV)
