@@ -227,7 +227,8 @@ pub fn misbehaviour(found: &Identification) -> Vec<Deviation> {
     all
 }
 
-fn plain(name: &'static str, probe: &'static str, does: &str) -> Deviation {
+/// Without a value, and validated nowhere yet.
+pub(super) fn plain(name: &'static str, probe: &'static str, does: &str) -> Deviation {
     Deviation {
         name,
         value: None,

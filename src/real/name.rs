@@ -140,7 +140,7 @@ impl FormatName {
     }
 
     /// The exponent of the smallest normal number.
-    fn emin(self) -> Option<i32> {
+    pub(crate) fn emin(self) -> Option<i32> {
         match self {
             FormatName::F16 => Some(-14),
             FormatName::Bf16 | FormatName::F32 => Some(-126),

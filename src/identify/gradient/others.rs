@@ -7,7 +7,7 @@ use super::own::{Entry, ROUNDINGS, measured};
 use super::rays::{Probe, alike};
 use super::{Ray, rows};
 use crate::identify::NotIdentified;
-use crate::identify::deviation::Deviation;
+use crate::identify::deviation::{Deviation, plain};
 use crate::identify::session::Session;
 use crate::kernel::{GradientAt, KernelError};
 
@@ -321,7 +321,7 @@ pub(super) fn together(
                     format!("rays that have gradients alone have none in one request: {error}");
                 return Ok(Some((
                     shared,
-                    Some(plain("gradient-batch", does, TOGETHER)),
+                    Some(plain("gradient-batch", TOGETHER, &does)),
                 )));
             }
         };
@@ -351,8 +351,8 @@ pub(super) fn together(
             of(found, TOGETHER, "other rays of another request")
         }
         _ => {
-            let does = "a gradient depends on the other rays of its request".into();
-            plain("gradient-batch", does, TOGETHER)
+            let does = "a gradient depends on the other rays of its request";
+            plain("gradient-batch", TOGETHER, does)
         }
     };
     Ok(Some((shared, Some(deviation))))
@@ -365,20 +365,7 @@ fn is_same(found: &Candidate, held_out: Option<&Candidate>) -> bool {
 fn of(found: &Candidate, probe: &'static str, validated: &str) -> Deviation {
     Deviation {
         validated: vec![validated.into()],
-        ..plain(found.name, found.does.into(), probe)
-    }
-}
-
-fn plain(name: &'static str, does: String, probe: &'static str) -> Deviation {
-    Deviation {
-        name,
-        value: None,
-        bracket: None,
-        exact: false,
-        probe,
-        validated: Vec::new(),
-        does,
-        instead_of: None,
+        ..plain(found.name, probe, found.does)
     }
 }
 

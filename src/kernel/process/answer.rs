@@ -149,7 +149,12 @@ fn rendering(
             expected_depth: outcome.expected_depth.map(float),
             emission: None,
             gradient,
-            step: outcome.step.as_ref().map(used_step).transpose()?,
+            step: outcome
+                .step
+                .as_ref()
+                .map(Number::to_f64)
+                .map(used_step)
+                .transpose()?,
             segments: outcome.segments.as_ref().map(used_segments).transpose()?,
             edges: edges.map(|edges| edges.iter().map(Number::to_f64).collect()),
             standard_error: outcome
@@ -161,8 +166,8 @@ fn rendering(
     Ok(checked())
 }
 
-fn used_step(number: &Number) -> Result<f64, KernelError> {
-    let value = number.to_f64();
+/// A step that a ray can have been cut by.
+pub(super) fn used_step(value: f64) -> Result<f64, KernelError> {
     if value.is_finite() && value > 0.0 {
         return Ok(value);
     }

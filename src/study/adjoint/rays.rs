@@ -4,13 +4,14 @@ use crate::kernel::{Data, Declaration, GradientAt, Medium, Samples, Segments, Ta
 use crate::study::gradient::Places;
 use rug::Rational;
 
-/// Numbers of segments, steps, the last segment as a part of the others, and whether faults are held out on the ray.
+/// Numbers of segments, steps, the last segment as a part of the others, and whether faults are held out on the ray. Steps
+/// and parts have few bits: lengths are then exact, of whatever format the projector is.
 const MADE: [(usize, f64, f64, bool); 5] = [
     (6, 0.5, 1.0, false),
-    (9, 0.35, 0.3, false),
-    (5, 1.25, 0.7, false),
-    (8, 0.8, 0.4, true),
-    (7, 0.15, 1.0, true),
+    (9, 0.34375, 0.3125, false),
+    (5, 1.25, 0.6875, false),
+    (8, 0.8125, 0.4375, true),
+    (7, 0.15625, 1.0, true),
 ];
 
 /// A ray of the projector.

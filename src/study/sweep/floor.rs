@@ -2,7 +2,7 @@
 
 use crate::case::{Case, Transfer};
 use crate::method::{Method, OpacityFormula};
-use crate::real::{FormatName, Ieee};
+use crate::real::FormatName;
 use rug::Float;
 
 /// Segments of the ray that is looked at.
@@ -130,15 +130,8 @@ impl Sizes {
 
 /// The binary logarithm of the smallest number that a format has above 0; none where exponents have no end that matters.
 fn smallest(format: FormatName) -> Option<i32> {
-    let ieee = match format {
-        FormatName::F16 => Ieee::BINARY16,
-        FormatName::Bf16 => Ieee::BFLOAT16,
-        FormatName::F32 => Ieee::BINARY32,
-        FormatName::F64 => Ieee::BINARY64,
-        FormatName::Ieee(ieee) => ieee,
-        // Of fixed point it is the unit itself, which is a size already.
-        FormatName::Fixed(_) | FormatName::Mpfr(_) => return None,
-    };
+    // Of fixed point it is the unit itself, which is a size already.
+    let emin = format.emin()?;
     let bits = i32::try_from(format.bits()).unwrap_or(i32::MAX);
-    Some(ieee.emin().saturating_sub(bits).saturating_add(1))
+    Some(emin.saturating_sub(bits).saturating_add(1))
 }

@@ -2,6 +2,7 @@
 
 use super::message::{AnswerBlock, BlockType, WireBlock, WireFrameAnswer};
 use super::{NUMBER, described, text};
+use crate::kernel::process::answer::used_step;
 use crate::kernel::process::greeting::Greeting;
 use crate::kernel::process::trouble::{Trouble, said};
 use crate::kernel::{KernelError, Quantity, Rendering, Task};
@@ -244,14 +245,6 @@ impl<'b> Answer<'b> {
             standard_error: errors.map(|errors| errors.iter().copied().map(real).collect()),
         })
     }
-}
-
-fn used_step(value: f64) -> Result<f64, KernelError> {
-    if value.is_finite() && value > 0.0 {
-        return Ok(value);
-    }
-    let what = "step";
-    Err(KernelError::Used { what, value })
 }
 
 fn used_segments(value: i64) -> Result<u64, KernelError> {
