@@ -7,9 +7,9 @@ use super::input::read;
 use std::path::Path;
 use volver::case::catalogue;
 use volver::case::file::MAX_FILE;
-use volver::case::manufacture::ManufactureError;
+use volver::case::manufacture::{self, ManufactureError, Manufactured};
 use volver::case::{Description, FileError};
-use volver::confirm::manufacture;
+use volver::confirm;
 use volver::report::cases::Derived;
 
 /// What a command line may say where it takes a case, for help texts.
@@ -34,8 +34,17 @@ enum Source<'a> {
 
 /// Finds, reads, derives and checks the case that `argument` names, for a command that needs a medium: what is none
 /// is wrong input.
+///
+/// The closed forms of the catalogue are compared with the integral by the tests, which takes longer than to verify a
+/// kernel by them; those of files are here.
 pub(crate) fn medium(argument: &str) -> Result<Derived, Failure> {
-    match load(argument) {
+    let loaded = source(argument).and_then(|source| match source {
+        Source::Catalogue { .. } => {
+            derived(argument, source.read(argument)?, manufacture::manufacture)
+        }
+        Source::File(_) => derive(argument, source.read(argument)?),
+    });
+    match loaded {
         Err(Failure::Refuted { path, error }) if error.is_of_medium() => Err(Failure::Content {
             path,
             error: anyhow::Error::new(*error),
@@ -46,22 +55,19 @@ pub(crate) fn medium(argument: &str) -> Result<Derived, Failure> {
 
 /// Finds, reads, derives and checks the case that `argument` names.
 pub(crate) fn load(argument: &str) -> Result<Derived, Failure> {
-    let description = match source(argument)? {
-        Source::Catalogue { name, channel } => {
-            let description = catalogue::find(name).ok_or_else(|| unknown(name))?;
-            chosen(
-                description.map_err(|error| in_file(argument, error))?,
-                channel,
-            )?
-        }
-        Source::File(path) => Description::read(&read(path, MAX_FILE as u64)?)
-            .map_err(|error| in_file(path, error))?,
-    };
-    derive(argument, description)
+    derive(argument, source(argument)?.read(argument)?)
 }
 
 /// Derives and checks what a file describes; `path` is for messages.
 pub(crate) fn derive(path: &str, description: Description) -> Result<Derived, Failure> {
+    derived(path, description, confirm::manufacture)
+}
+
+fn derived(
+    path: &str,
+    description: Description,
+    manufacture: impl Fn(&Description) -> Result<Vec<Manufactured>, ManufactureError>,
+) -> Result<Derived, Failure> {
     match manufacture(&description) {
         Ok(cases) => Ok(Derived { description, cases }),
         Err(error @ (ManufactureError::Refuted { .. } | ManufactureError::Contradicted(_))) => {
@@ -74,6 +80,21 @@ pub(crate) fn derive(path: &str, description: Description) -> Result<Derived, Fa
             path: path.into(),
             error: error.into(),
         }),
+    }
+}
+
+impl Source<'_> {
+    /// What it describes; `argument` is for messages.
+    fn read(&self, argument: &str) -> Result<Description, Failure> {
+        match *self {
+            Source::Catalogue { name, channel } => {
+                let description = catalogue::find(name).ok_or_else(|| unknown(name))?;
+                let description = description.map_err(|error| in_file(argument, error))?;
+                chosen(description, channel)
+            }
+            Source::File(path) => Description::read(&read(path, MAX_FILE as u64)?)
+                .map_err(|error| in_file(path, error)),
+        }
     }
 }
 

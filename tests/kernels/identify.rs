@@ -12,6 +12,7 @@ mod linear;
 mod pairs;
 mod random;
 mod rounding;
+mod seldom;
 mod stated;
 mod witness;
 mod words;

@@ -35,7 +35,7 @@ pub(super) enum What {
     EmptyEighths,
     /// The last step is a small part of the others.
     ShortLast,
-    /// All but the same everywhere.
+    /// All but the same everywhere: both, or one of extinction and emission while the other is the same to the last bit.
     NearlyEven,
     /// Emissions of both signs.
     Negative,

@@ -83,8 +83,13 @@ pub(super) fn ray(
         }
         What::NearlyEven => {
             let tau = depth / (n as f64 * step);
-            edges = (0..=n).map(|_| tau * random.within(0.995, 1.005)).collect();
-            middles = (0..n).map(|_| tau * random.within(0.995, 1.005)).collect();
+            let mut of = |place: f64| match Stretch::at(place, n) {
+                Stretch::SameExtinction(_) => tau,
+                Stretch::SameEmission(part) => tau * drift(part),
+                Stretch::Neither => tau * random.within(0.995, 1.005),
+            };
+            edges = (0..=n).map(|i| of(i as f64)).collect();
+            middles = (0..n).map(|i| of(i as f64 + 0.5)).collect();
         }
         What::OneName => {
             // The same at both ends: a key made of these is no key.
@@ -128,7 +133,14 @@ fn emissions(what: What, n: usize, bright: f64, random: &mut Random) -> Vec<Emis
                 Emission::of(n, |i| 0.5 * bright * wave(i / n as f64))
             }
             What::Even => Emission::even(n, random.within(low, bright)),
-            What::NearlyEven => Emission::of(n, |_| bright * random.within(0.995, 1.005)),
+            What::NearlyEven => {
+                let even = bright * random.within(0.995, 1.005);
+                Emission::of(n, |place| match Stretch::at(place, n) {
+                    Stretch::SameExtinction(part) => even * drift(part),
+                    Stretch::SameEmission(_) => even,
+                    Stretch::Neither => bright * random.within(0.995, 1.005),
+                })
+            }
             _ => Emission::of(n, |_| random.within(low, bright)),
         })
         .collect();
@@ -142,6 +154,31 @@ fn emissions(what: What, n: usize, bright: f64, random: &mut Random) -> Vec<Emis
         }
     }
     emission
+}
+
+/// What is the same along a part of a ray that is nearly even; with the place as a part of that.
+enum Stretch {
+    Neither,
+    SameExtinction(f64),
+    SameEmission(f64),
+}
+
+impl Stretch {
+    /// At a place in segments, of n.
+    fn at(place: f64, n: usize) -> Self {
+        let third = 3.0 * place / n as f64;
+        match third {
+            ..1.0 => Stretch::Neither,
+            ..2.0 => Stretch::SameExtinction(third - 1.0),
+            _ => Stretch::SameEmission(third - 2.0),
+        }
+    }
+}
+
+/// What neighbours are told apart by at last: a factor that leaves 1 in ever larger steps, by 1e-7 at first and by a third
+/// in all.
+fn drift(part: f64) -> f64 {
+    1.0 + 10_f64.powf(6.5 * part - 7.0)
 }
 
 /// Nothing shines there.
