@@ -16,6 +16,7 @@ mod unproved;
 pub use counted::CountedCase;
 pub use file::{ChannelDescription, Description, FileError, FileProblem, Recipe};
 pub use homogeneous_slab::HomogeneousSlab;
+pub(crate) use nodes::Rows;
 pub use nodes::{AnyNodes, Column, Fresh, Nodes, Number, Recorded, Recording, Replayed, Shared};
 pub use reciprocal::{Reciprocal, ReciprocalSquare};
 pub use sine_squared::SineSquared;

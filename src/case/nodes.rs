@@ -8,6 +8,7 @@ mod replayed;
 mod shared;
 
 pub use any::AnyNodes;
+pub(crate) use any::Rows;
 pub use fresh::Fresh;
 pub use recorded::{Recorded, Recording};
 pub use replayed::Replayed;
@@ -56,6 +57,29 @@ fn transfers<R: Clone>(column: Arc<Column<R>>) -> impl Iterator<Item = Transfer<
     })
 }
 
+/// Places that are evaluated at once where nothing is kept: little memory, whatever the ray.
+const ROW: usize = 512;
+
+/// The same in rows, the first of them of `first`.
+fn in_rows<R>(
+    mut transfers: impl Iterator<Item = Transfer<R>>,
+    first: usize,
+) -> impl Iterator<Item = Transfer<Vec<R>>> {
+    let mut count = first;
+    std::iter::from_fn(move || {
+        let mut row = Transfer {
+            emission: Vec::with_capacity(count),
+            extinction: Vec::with_capacity(count),
+        };
+        for transfer in transfers.by_ref().take(count) {
+            row.emission.push(transfer.emission);
+            row.extinction.push(transfer.extinction);
+        }
+        count = ROW;
+        (!row.extinction.is_empty()).then_some(row)
+    })
+}
+
 /// What a method may ask of a ray that is divided into n equal segments of length d = D/n.
 ///
 /// Node positions are rational multiples of D, rounded once and never accumulated: the node i/n is the
@@ -76,6 +100,12 @@ pub trait Nodes: Debug + Sync {
     /// C and τ at D·i/n, i = 0 … n, one after the other: nothing is kept.
     fn march(&self, n: u64) -> impl Iterator<Item = Transfer<Number<Self>>>;
 
+    /// The same in rows: the first begins with the front of the ray, and each has the backs of as many segments as a row of
+    /// [`Nodes::rows_inside`] has places.
+    fn rows(&self, n: u64) -> impl Iterator<Item = Transfer<Vec<Number<Self>>>> {
+        in_rows(self.march(n), ROW + 1)
+    }
+
     /// The n values at D·(j + offset)/n, j = 0 … n − 1; 0 ≤ offset ≤ 1.
     fn interior(&self, n: u64, offset: &Rational) -> Arc<Column<Number<Self>>>;
 
@@ -87,6 +117,15 @@ pub trait Nodes: Debug + Sync {
         offset: Rational,
     ) -> impl Iterator<Item = Transfer<Number<Self>>> {
         transfers(self.interior(n, &offset))
+    }
+
+    /// The same in rows.
+    fn rows_inside(
+        &self,
+        n: u64,
+        offset: Rational,
+    ) -> impl Iterator<Item = Transfer<Vec<Number<Self>>>> {
+        in_rows(self.march_inside(n, offset), ROW)
     }
 
     /// The field one step beyond the far end, at D·(n + 1)/n.

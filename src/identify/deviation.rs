@@ -2,6 +2,7 @@
 //! one that a kernel declares.
 
 use super::part::{Part, Stated, parts};
+use super::precision::INNER;
 use super::rule::{Law, Rule, Scale, Scheme, Segment};
 use super::state::{Batch, Name, Repeat, State};
 use super::{Bracket, Identification, Parameter, VacuumFails};
@@ -177,8 +178,12 @@ const TOGETHER: &str = "several rays in one request";
 const DRIFT: &str = "earlier-rays";
 const DRIFTS: &str = "an answer depends on the rays asked before";
 
+/// What a ray is called.
+const BY_NAME: &str = "answers-by-name";
+
 /// Deviations that no single ray shows: what answers depend on beside the question, and how few digits they have.
-const OF_MANY_RAYS: [&str; 12] = [
+const OF_MANY_RAYS: [&str; 13] = [
+    INNER,
     "batch-step",
     "batch-padding",
     "format",
@@ -189,7 +194,7 @@ const OF_MANY_RAYS: [&str; 12] = [
     "noise",
     "carried-transmittance",
     "batch",
-    "answers-by-name",
+    BY_NAME,
     "seed",
 ];
 
@@ -210,6 +215,10 @@ pub fn misbehaviour(found: &Identification) -> Vec<Deviation> {
     // What was seen of its state before is why.
     if found.hold_out.drifts && all.is_empty() {
         all.push(plain(DRIFT, "a ray asked again at the end", DRIFTS));
+    }
+    if let Some(case) = &found.hold_out.by_case {
+        let does = format!("a ray named {case} has another answer than under another name");
+        all.push(plain(BY_NAME, "rays under the names of cases", &does));
     }
     match found.parts.vacuum_fails {
         None => {}
@@ -293,7 +302,7 @@ fn of_state(state: &State) -> impl Iterator<Item = Deviation> {
         Repeat::Drifts => Some(drifts()),
     };
     let batch = of_batch(state.batch);
-    let by_name = |does| plain("answers-by-name", "other data under the same name", does);
+    let by_name = |does| plain(BY_NAME, "other data under the same name", does);
     let name = match state.name {
         Name::Nothing => None,
         Name::First => Some(by_name(

@@ -79,7 +79,21 @@ impl Examined {
 
 /// Identifies what a kernel computes, and seeks a ray that shows in what that deviates; each may spend the budget.
 pub fn examine(kernel: &mut dyn Kernel, budget: Budget, heard: &mut dyn FnMut(&Spent)) -> Examined {
-    let declaration = kernel.declaration().clone();
+    let claimed = kernel.declaration().order;
+    examine_for(kernel, claimed, budget, heard)
+}
+
+/// The same of a kernel of which that order is wanted, whatever it declares.
+pub(crate) fn examine_for(
+    kernel: &mut dyn Kernel,
+    claimed: Option<f64>,
+    budget: Budget,
+    heard: &mut dyn FnMut(&Spent),
+) -> Examined {
+    let declaration = Declaration {
+        order: claimed,
+        ..kernel.declaration().clone()
+    };
     let found = identify(kernel, budget, heard);
     let rules = expected(&found, &declaration);
     let opacity = match found.named() {

@@ -4,7 +4,8 @@ use super::deviation::right_of;
 use super::rule::{Lattice, Law, Place, Rule, Scheme, Wall};
 use super::{Identification, stated};
 use crate::kernel::{Declaration, Sampling};
-use crate::method::{Expected, Layers, Method};
+use crate::method::{Expected, Exponential, Inner, Layers, Method, Nested, Outer, Scope};
+use crate::quadrature;
 
 /// Thresholds are told to this part of them.
 const SAME: f64 = 1e-6;
@@ -22,7 +23,7 @@ pub(super) fn expected(found: &Identification, declaration: &Declaration) -> Vec
         }],
         (Some(rule), None) => vec![Rule {
             lattice: rule.lattice.map(Lattice::covering),
-            ..of_layers(rule, declaration).unwrap_or_else(|| placed(right_of(rule), declaration))
+            ..of_order(rule, declaration).unwrap_or_else(|| placed(right_of(rule), declaration))
         }],
         (None, Some(declared)) => vec![declared],
         (None, None) => sampled(found, declaration),
@@ -31,12 +32,25 @@ pub(super) fn expected(found: &Identification, declaration: &Declaration) -> Vec
     rules.into_iter().map(but_for).collect()
 }
 
-/// The rule of layers that it is, where that has the order that is declared: nobody who asks for no more errs by it.
-fn of_layers(found: &Rule, declaration: &Declaration) -> Option<Rule> {
+/// The rule of layers, or of Riemann sums, that it is, where that has the order that is declared: nobody who asks for no
+/// more errs by it.
+fn of_order(found: &Rule, declaration: &Declaration) -> Option<Rule> {
     let claimed = declaration.order?;
     let place = place(declaration);
-    let mut rules = Layers::ALL.into_iter().filter_map(|layers| {
-        let method = Method::Layered(layers);
+    let riemann = [
+        quadrature::Rule::RiemannLeft,
+        quadrature::Rule::RiemannRight,
+    ]
+    .map(|rule| {
+        Method::Nested(Nested {
+            inner: Inner::PerSegment(rule),
+            outer: Outer(rule),
+            exponential: Exponential::Exact,
+            scope: Scope::Whole,
+        })
+    });
+    let layered = Layers::ALL.into_iter().map(Method::Layered);
+    let mut rules = layered.chain(riemann).filter_map(|method| {
         let suffices = matches!(method.order(), Expected::Order(own) if own >= claimed);
         stated(&method).filter(|_| suffices)
     });

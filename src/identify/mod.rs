@@ -47,6 +47,7 @@ mod witness;
 pub use accumulation::Accumulation;
 pub use against::{Against, Difference, Known, against, differences};
 pub use deviation::{Deviation, deviations, misbehaviour, right_of};
+pub(crate) use examined::examine_for;
 pub use examined::{Examined, Verdict, examine};
 pub use finding::NotIdentified;
 pub use gradient::{GradientFound, GradientsTogether, Off, gradients};

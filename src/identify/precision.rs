@@ -2,6 +2,7 @@
 
 use super::Identification;
 use super::deviation::Deviation;
+use super::opacity::ROUNDINGS;
 use crate::kernel::Declaration;
 use crate::real::FormatName;
 use serde::Serialize;
@@ -27,6 +28,8 @@ const NEAR: f64 = 1.0 / 8.0;
 /// Fewer answers tell no digits apart from chance.
 const FEWEST: usize = 8;
 const DOUBLE: u32 = 53;
+/// The name of what is rounded on the way to an answer.
+pub(super) const INNER: &str = "inner-rounding";
 
 impl Precision {
     /// Of those answers; binary64 where nothing narrower holds them all.
@@ -83,8 +86,33 @@ impl fmt::Display for Precision {
     }
 }
 
-/// Answers in a narrower format than the one declared: no rays made for that show it, but all that were held out.
+/// Fewer digits than the declared format has: in the answers, or where these have more, in what they are made of.
 pub(super) fn deviation(found: &Identification, declaration: &Declaration) -> Option<Deviation> {
+    of_answers(found, declaration).or_else(|| inside(found, declaration))
+}
+
+/// Segments that are off the rule, up and down, by more than answers are rounded: as roundings in a narrower format are.
+fn inside(found: &Identification, declaration: &Declaration) -> Option<Deviation> {
+    found.named()?;
+    let is_of = |bits: &u32| (ROUNDINGS * unit(*bits) - found.parts.grain).abs() < 1e-12;
+    let bits = FORMATS.into_iter().find(is_of)?;
+    let declared = declaration.format.bits().min(DOUBLE);
+    (bits < declared).then(|| Deviation {
+        name: INNER,
+        value: Some(f64::from(bits)),
+        bracket: None,
+        exact: true,
+        probe: "segments between references",
+        validated: Vec::new(),
+        does: format!(
+            "segments are off the rule, up and down, as by rounding to {bits} significant bits"
+        ),
+        instead_of: Some(format!("{declared} bits, of {}", declaration.format)),
+    })
+}
+
+/// Answers in a narrower format than the one declared: no rays made for that show it, but all that were held out.
+fn of_answers(found: &Identification, declaration: &Declaration) -> Option<Deviation> {
     let precision = found.hold_out.precision?;
     let has_quantum = |output: &super::rule::Output| output.quantum.is_some();
     // What is stored is what is seen.

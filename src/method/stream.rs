@@ -3,7 +3,7 @@
 use super::error::{MethodError, require_multiple};
 use super::outer::CompositeWeights;
 use super::{Exponential, Inner, Nested, Outer, Scope};
-use crate::case::{AnyNodes, Nodes, Transfer};
+use crate::case::{AnyNodes, Nodes, Rows, Transfer};
 use crate::quadrature::{Rule, RuleError};
 use crate::real::{Format, Real, row, try_row};
 use rug::Rational;
@@ -54,22 +54,23 @@ fn over_boundaries<F: Format>(
     };
     let depth = places.partial_depth(inner, &Rational::from(1), &nodes, n)?;
     let mut sum = format.int(0);
-    let mut segments = Segments::new(&places, nodes, n);
-    if let Some(first) = &segments.front {
-        sum += &(source(first) * &front.transmittance() * &weights.first);
+    let mut blocks = Blocks::new(&places, nodes, n);
+    if let Some(source) = blocks.front().and_then(|first| first.source(FRONT)) {
+        sum += &(source * &front.transmittance() * &weights.first);
     }
     let mut repeating = weights.repeating.iter().cycle().skip(1);
-    for j in 1..=n {
-        let Some(segment) = segments.next() else {
-            break;
-        };
-        front.pass(&depth.of(segment));
-        let weight = match repeating.next() {
-            Some(weight) if j < n => weight,
-            _ => &weights.last,
-        };
-        if let Some(back) = segment.get(BACK) {
-            sum += &(source(back) * &front.transmittance() * weight);
+    let mut j = 0;
+    while let Some(block) = blocks.next() {
+        for segment in block.segments() {
+            j += 1;
+            front.pass(&depth.of(segment));
+            let weight = match repeating.next() {
+                Some(weight) if j < n => weight,
+                _ => &weights.last,
+            };
+            if let Some(source) = segment.source(BACK) {
+                sum += &(source * &front.transmittance() * weight);
+            }
         }
     }
     Ok(sum * &step(&nodes, n))
@@ -95,25 +96,22 @@ fn inside_segments<F: Format>(
         let place = places.at(offset);
         Ok::<_, RuleError>((place, partial, format.int(0)))
     }))?;
-    let mut segments = Segments::new(&places, nodes, n);
-    while let Some(segment) = segments.next() {
-        for (place, partial, part) in &mut looks {
-            if let Some(at) = segment.get(*place) {
-                *part += &(source(at) * &front.inside(partial.of(segment)));
+    let mut blocks = Blocks::new(&places, nodes, n);
+    while let Some(block) = blocks.next() {
+        for segment in block.segments() {
+            for (place, partial, part) in &mut looks {
+                if let Some(source) = segment.source(*place) {
+                    *part += &(source * &front.inside(partial.of(segment)));
+                }
             }
+            front.pass(&depth.of(segment));
         }
-        front.pass(&depth.of(segment));
     }
     let mut sum = format.int(0);
     for ((_, _, part), weight) in looks.into_iter().zip(&table.weights) {
         sum += &(part * &format.ratio(weight));
     }
     Ok(sum * &step(&nodes, n))
-}
-
-/// C τ.
-fn source<R: Real>(at: &Transfer<R>) -> R {
-    at.emission.clone() * &at.extinction
 }
 
 /// d.
@@ -229,10 +227,10 @@ impl Places {
 }
 
 impl<R: Real> Depth<R> {
-    fn of(&self, segment: &[Transfer<R>]) -> R {
+    fn of(&self, segment: Segment<'_, R>) -> R {
         let mut terms = self.looks.iter().filter_map(|(place, weight)| {
-            let at = segment.get(*place)?;
-            Some(at.extinction.clone() * weight)
+            let (_, extinction) = segment.at(*place)?;
+            Some(extinction.clone() * weight)
         });
         // A rule has a node at least.
         let mut sum = terms.next().unwrap_or_else(|| self.length.format().int(0));
@@ -243,44 +241,115 @@ impl<R: Real> Depth<R> {
     }
 }
 
-/// The segments of a ray from front to back, each with C and τ at its [`Places`].
-struct Segments<'n, R> {
-    /// At the front of the segment to come.
-    front: Option<Transfer<R>>,
-    boundaries: Option<March<'n, R>>,
-    inside: Vec<March<'n, R>>,
-    segment: Vec<Transfer<R>>,
+/// C and τ at the [`Places`] of a ray, some segments at a time.
+struct Blocks<'n, R> {
+    boundaries: Option<Rows<'n, R>>,
+    inside: Vec<Rows<'n, R>>,
+    block: Block<R>,
+    /// The first block's ends were asked for already.
+    is_begun: bool,
 }
 
-type March<'n, R> = Box<dyn Iterator<Item = Transfer<R>> + 'n>;
+/// Some segments.
+struct Block<R> {
+    count: usize,
+    /// At their ends, one more than there are segments; none where no rule looks at them.
+    ends: Transfer<Vec<R>>,
+    /// At every place inside.
+    inside: Vec<Transfer<Vec<R>>>,
+}
 
-impl<'n, R: Real> Segments<'n, R> {
+/// One of them.
+struct Segment<'b, R> {
+    block: &'b Block<R>,
+    index: usize,
+}
+
+impl<R> Clone for Segment<'_, R> {
+    fn clone(&self) -> Self {
+        *self
+    }
+}
+
+impl<R> Copy for Segment<'_, R> {}
+
+impl<'n, R: Real> Blocks<'n, R> {
     fn new<F: Format<Real = R>>(places: &Places, nodes: AnyNodes<'n, F>, n: u64) -> Self {
-        let mut boundaries = places.boundaries.then(|| nodes.marching(n));
+        let mut boundaries = places.boundaries.then(|| nodes.all_rows(n));
+        let first = boundaries.as_mut().and_then(Iterator::next);
         let inside = places.inside.iter();
-        Segments {
-            front: boundaries.as_mut().and_then(Iterator::next),
+        Blocks {
+            is_begun: first.is_some(),
             boundaries,
-            inside: row(inside.map(|offset| nodes.marching_inside(n, offset.clone()))),
-            segment: Vec::with_capacity(INSIDE + places.inside.len()),
+            inside: row(inside.map(|offset| nodes.all_rows_inside(n, offset.clone()))),
+            block: Block {
+                count: 0,
+                ends: first.unwrap_or_else(|| Transfer {
+                    emission: Vec::new(),
+                    extinction: Vec::new(),
+                }),
+                inside: Vec::with_capacity(places.inside.len()),
+            },
         }
     }
 
-    /// The next segment's values: front, back, inside; the ends are those of the middle where no rule looks at them.
-    fn next(&mut self) -> Option<&[Transfer<R>]> {
-        self.segment.clear();
-        let mut inside = self.inside.iter_mut();
-        if let Some(boundaries) = &mut self.boundaries {
-            let back = boundaries.next()?;
-            let front = self.front.replace(back.clone())?;
-            self.segment.extend([front, back]);
-        } else {
-            let first = inside.next()?.next()?;
-            self.segment.extend([first.clone(), first.clone(), first]);
+    /// The front of the ray, where a rule looks at boundaries.
+    fn front(&self) -> Option<Segment<'_, R>> {
+        let block = &self.block;
+        let is_there = self.is_begun && !block.ends.extinction.is_empty();
+        is_there.then_some(Segment { block, index: 0 })
+    }
+
+    fn next(&mut self) -> Option<&Block<R>> {
+        let block = &mut self.block;
+        if let Some(rows) = self.boundaries.as_mut().filter(|_| !self.is_begun) {
+            let next = rows.next()?;
+            // The back of the last segment is the front of the next.
+            let carried = |ends: &mut Vec<R>, next: Vec<R>| {
+                ends.drain(..ends.len().saturating_sub(1));
+                ends.extend(next);
+            };
+            carried(&mut block.ends.emission, next.emission);
+            carried(&mut block.ends.extinction, next.extinction);
         }
-        for march in inside {
-            self.segment.push(march.next()?);
+        self.is_begun = false;
+        block.inside.clear();
+        for rows in &mut self.inside {
+            block.inside.push(rows.next()?);
         }
-        Some(&self.segment)
+        let of_inside = block.inside.first();
+        block.count = match of_inside {
+            Some(inside) => inside.extinction.len(),
+            None => block.ends.extinction.len().saturating_sub(1),
+        };
+        (block.count > 0).then_some(block)
+    }
+}
+
+impl<R> Block<R> {
+    /// From front to back.
+    fn segments(&self) -> impl Iterator<Item = Segment<'_, R>> {
+        (0..self.count).map(|index| Segment { block: self, index })
+    }
+}
+
+impl<'b, R: Real> Segment<'b, R> {
+    /// C and τ at a place.
+    fn at(self, place: usize) -> Option<(&'b R, &'b R)> {
+        let (transfers, index) = match place {
+            FRONT => (&self.block.ends, self.index),
+            BACK => (&self.block.ends, self.index + 1),
+            _ => (self.block.inside.get(place - INSIDE)?, self.index),
+        };
+        Some((
+            transfers.emission.get(index)?,
+            transfers.extinction.get(index)?,
+        ))
+    }
+
+    /// C τ at a place.
+    fn source(self, place: usize) -> Option<R> {
+        let (emission, extinction) = self.at(place)?;
+        Some(emission.clone() * extinction)
     }
 }

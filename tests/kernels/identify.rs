@@ -14,5 +14,6 @@ mod random;
 mod rounding;
 mod seldom;
 mod stated;
+mod steps;
 mod witness;
 mod words;

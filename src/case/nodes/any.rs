@@ -17,16 +17,19 @@ impl<'a, F: Format> AnyNodes<'a, F> {
         AnyNodes(nodes)
     }
 
-    /// [`Nodes::march`], for as long as the nodes are there.
-    pub(crate) fn marching(self, n: u64) -> Transfers<'a, F> {
-        self.0.march(n)
+    /// [`Nodes::rows`], for as long as the nodes are there.
+    pub(crate) fn all_rows(self, n: u64) -> Rows<'a, F::Real> {
+        self.0.rows(n)
     }
 
-    /// [`Nodes::march_inside`], for as long as the nodes are there.
-    pub(crate) fn marching_inside(self, n: u64, offset: Rational) -> Transfers<'a, F> {
-        self.0.march_inside(n, offset)
+    /// [`Nodes::rows_inside`], for as long as the nodes are there.
+    pub(crate) fn all_rows_inside(self, n: u64, offset: Rational) -> Rows<'a, F::Real> {
+        self.0.rows_inside(n, offset)
     }
 }
+
+/// C and τ, row by row.
+pub(crate) type Rows<'a, R> = Box<dyn Iterator<Item = Transfer<Vec<R>>> + 'a>;
 
 type Transfers<'a, F> = Box<dyn Iterator<Item = Transfer<<F as Format>::Real>> + 'a>;
 
@@ -36,8 +39,10 @@ trait Ask<F: Format>: Debug + Sync {
     fn length(&self) -> &Rational;
     fn boundaries(&self, n: u64) -> Arc<Column<F::Real>>;
     fn march(&self, n: u64) -> Transfers<'_, F>;
+    fn rows(&self, n: u64) -> Rows<'_, F::Real>;
     fn interior(&self, n: u64, offset: &Rational) -> Arc<Column<F::Real>>;
     fn march_inside(&self, n: u64, offset: Rational) -> Transfers<'_, F>;
+    fn rows_inside(&self, n: u64, offset: Rational) -> Rows<'_, F::Real>;
     fn beyond(&self, n: u64) -> F::Real;
     fn extinction_at(&self, lambda: &F::Real) -> F::Real;
     fn extinctions_at(&self, lambda: &[F::Real]) -> Vec<F::Real>;
@@ -63,6 +68,12 @@ impl<N: Nodes> Ask<N::Format> for N {
     }
     fn march_inside(&self, n: u64, offset: Rational) -> Transfers<'_, N::Format> {
         Box::new(Nodes::march_inside(self, n, offset))
+    }
+    fn rows(&self, n: u64) -> Rows<'_, Number<N>> {
+        Box::new(Nodes::rows(self, n))
+    }
+    fn rows_inside(&self, n: u64, offset: Rational) -> Rows<'_, Number<N>> {
+        Box::new(Nodes::rows_inside(self, n, offset))
     }
     fn beyond(&self, n: u64) -> Number<N> {
         Nodes::beyond(self, n)
@@ -101,6 +112,16 @@ impl<F: Format> Nodes for AnyNodes<'_, F> {
     }
     fn march_inside(&self, n: u64, offset: Rational) -> impl Iterator<Item = Transfer<F::Real>> {
         self.0.march_inside(n, offset)
+    }
+    fn rows(&self, n: u64) -> impl Iterator<Item = Transfer<Vec<F::Real>>> {
+        self.0.rows(n)
+    }
+    fn rows_inside(
+        &self,
+        n: u64,
+        offset: Rational,
+    ) -> impl Iterator<Item = Transfer<Vec<F::Real>>> {
+        self.0.rows_inside(n, offset)
     }
     fn beyond(&self, n: u64) -> F::Real {
         self.0.beyond(n)

@@ -1,15 +1,12 @@
 //! Every request evaluated anew.
 
 use super::grid::Grid;
-use super::{Column, Nodes};
+use super::{Column, Nodes, ROW, in_rows};
 use crate::case::{Case, PolynomialTransfer, Structure, Transfer};
 use crate::real::{Format, row};
 use rug::Rational;
 use std::sync::Arc;
 use std::sync::atomic::{AtomicU64, Ordering};
-
-/// Places that are evaluated at once where a case is quicker so: little memory, whatever the ray.
-const ROW: usize = 64;
 
 /// Every request evaluated anew; counts the nodes.
 #[derive(Debug)]
@@ -96,14 +93,9 @@ impl<'c, C: Case, F: Format> Fresh<'c, C, F> {
         offset: Rational,
         count: u64,
     ) -> impl Iterator<Item = Transfer<F::Real>> {
-        let mut places = self.places(n, offset, count);
         if C::IN_ROWS {
-            let row_by_row = std::iter::from_fn(move || {
-                let row = row(places.by_ref().take(ROW));
-                let transfers = self.case.transfers(&self.case.fields(&row));
-                (!row.is_empty()).then_some(transfers)
-            });
-            return March::Rows(row_by_row.flat_map(|transfers| {
+            let rows = self.evaluated_rows(n, offset, count, ROW);
+            return Way::Rows(rows.flat_map(|transfers| {
                 let both = transfers.emission.into_iter().zip(transfers.extinction);
                 both.map(|(emission, extinction)| Transfer {
                     emission,
@@ -111,7 +103,40 @@ impl<'c, C: Case, F: Format> Fresh<'c, C, F> {
                 })
             }));
         }
-        March::Places(places.map(|lambda| self.case.transfer(&self.case.field(&lambda))))
+        let places = self.places(n, offset, count);
+        Way::Places(places.map(|lambda| self.case.transfer(&self.case.field(&lambda))))
+    }
+
+    /// The same in rows, the first of them of `first`.
+    fn rows_of(
+        &self,
+        n: u64,
+        offset: Rational,
+        count: u64,
+        first: usize,
+    ) -> impl Iterator<Item = Transfer<Vec<F::Real>>> {
+        if C::IN_ROWS {
+            Way::Rows(self.evaluated_rows(n, offset, count, first))
+        } else {
+            Way::Places(in_rows(self.transfers(n, offset, count), first))
+        }
+    }
+
+    /// Of a case that is quicker many places at once.
+    fn evaluated_rows(
+        &self,
+        n: u64,
+        offset: Rational,
+        count: u64,
+        first: usize,
+    ) -> impl Iterator<Item = Transfer<Vec<F::Real>>> {
+        let mut places = self.places(n, offset, count);
+        let mut length = first;
+        std::iter::from_fn(move || {
+            let row = row(places.by_ref().take(length));
+            length = ROW;
+            (!row.is_empty()).then(|| self.case.transfers(&self.case.fields(&row)))
+        })
     }
 
     fn column(&self, n: u64, offset: Rational, count: u64) -> Arc<Column<F::Real>> {
@@ -120,19 +145,19 @@ impl<'c, C: Case, F: Format> Fresh<'c, C, F> {
 }
 
 /// One of two ways along the places of a ray, which gives the same values.
-enum March<A, B> {
+enum Way<A, B> {
     Places(A),
     Rows(B),
 }
 
-impl<T, A: Iterator<Item = T>, B: Iterator<Item = T>> Iterator for March<A, B> {
+impl<T, A: Iterator<Item = T>, B: Iterator<Item = T>> Iterator for Way<A, B> {
     type Item = T;
 
     #[inline]
     fn next(&mut self) -> Option<T> {
         match self {
-            March::Places(places) => places.next(),
-            March::Rows(rows) => rows.next(),
+            Way::Places(places) => places.next(),
+            Way::Rows(rows) => rows.next(),
         }
     }
 }
@@ -156,12 +181,24 @@ impl<C: Case, F: Format> Nodes for Fresh<'_, C, F> {
         self.transfers(n, Rational::new(), n + 1)
     }
 
+    fn rows(&self, n: u64) -> impl Iterator<Item = Transfer<Vec<F::Real>>> {
+        self.rows_of(n, Rational::new(), n + 1, ROW + 1)
+    }
+
     fn interior(&self, n: u64, offset: &Rational) -> Arc<Column<F::Real>> {
         self.column(n, offset.clone(), n)
     }
 
     fn march_inside(&self, n: u64, offset: Rational) -> impl Iterator<Item = Transfer<F::Real>> {
         self.transfers(n, offset, n)
+    }
+
+    fn rows_inside(
+        &self,
+        n: u64,
+        offset: Rational,
+    ) -> impl Iterator<Item = Transfer<Vec<F::Real>>> {
+        self.rows_of(n, offset, n, ROW)
     }
 
     fn beyond(&self, n: u64) -> F::Real {

@@ -9,6 +9,9 @@ use crate::real::Native;
 /// The optical depth of thick rays.
 pub(in crate::identify) const SLOPE: f64 = 40.0;
 
+/// The part of what an answer is made of that its rounding may be, and the answer still decide.
+const DECIDES: f64 = 1.0 / 4.0;
+
 /// Compares the opacity that came with an answer with 1 − T, which it returns.
 pub(in crate::identify) fn check_opacity(
     rule: &Rule,
@@ -50,6 +53,8 @@ pub(in crate::identify) struct Compared {
     pub(in crate::identify) want: f64,
     /// Whether they differ by no more than rounding.
     pub(in crate::identify) agrees: bool,
+    /// Whether rounding may not be most of it: else that they agree says nothing.
+    pub(in crate::identify) decides: bool,
     pub(in crate::identify) digits: f64,
 }
 
@@ -101,6 +106,7 @@ pub(in crate::identify) fn compare(
             got,
             want,
             agrees,
+            decides: slack <= DECIDES * size,
             digits: if !got.is_finite() && want.is_finite() {
                 0.0
             } else if miss > 0.0 {

@@ -3,6 +3,9 @@
 /// The depth of a segment that is a wall.
 pub(super) const WALL: f64 = 1e5;
 
+/// The kind of emissions of both signs.
+pub(super) const NEGATIVE: &str = "with negative emission";
+
 /// How rays of a kind are made.
 #[derive(Clone, Copy)]
 pub(super) struct Make {
@@ -15,10 +18,30 @@ pub(super) struct Make {
     /// The largest emission.
     pub(super) bright: f64,
     pub(super) what: What,
+    pub(super) values: Values,
     /// How many whose steps divide them.
     pub(super) whole: usize,
     /// How many whose last step is shorter.
     pub(super) partial: usize,
+}
+
+/// Values beside others that a kernel may take for something else than they are.
+#[derive(Clone, Copy, PartialEq)]
+pub(super) enum Values {
+    /// Any.
+    Any,
+    /// All emissions are 1.
+    White,
+    /// The same emission in all channels.
+    Grey,
+    /// Emissions are integers.
+    Integers,
+    /// Emissions in proportion to the extinction.
+    Proportional,
+    /// Extinctions are the same from both ends.
+    Symmetric,
+    /// One sample is a hundred times as bright as others.
+    Spike,
 }
 
 #[derive(Clone, Copy, PartialEq)]
@@ -35,7 +58,7 @@ pub(super) enum What {
     EmptyEighths,
     /// The last step is a small part of the others.
     ShortLast,
-    /// All but the same everywhere: both, or one of extinction and emission while the other is the same to the last bit.
+    /// All but the same everywhere: both, up and down, or one of extinction and emission while the other is the same to the last bit.
     NearlyEven,
     /// Emissions of both signs.
     Negative,
@@ -55,6 +78,7 @@ pub(super) const USUAL: Make = Make {
     step: [0.03, 0.9],
     bright: 1.0,
     what: What::Full,
+    values: Values::Any,
     whole: 1,
     partial: 1,
 };
@@ -63,7 +87,8 @@ pub(super) const USUAL: Make = Make {
 pub(super) const MAKES: [Make; 24] = [
     Make {
         name: "smooth",
-        segments: [150, 250],
+        // Blocks of any power of two end with it.
+        segments: [256, 256],
         what: What::Smooth,
         whole: 0,
         partial: 1,
@@ -73,6 +98,7 @@ pub(super) const MAKES: [Make; 24] = [
         name: "even",
         segments: [20, 60],
         what: What::Even,
+        values: Values::White,
         whole: 1,
         partial: 0,
         ..USUAL
@@ -87,6 +113,7 @@ pub(super) const MAKES: [Make; 24] = [
     },
     Make {
         name: "thin",
+        values: Values::Spike,
         depth: [1e-3, 0.02],
         whole: 0,
         partial: 1,
@@ -94,18 +121,21 @@ pub(super) const MAKES: [Make; 24] = [
     },
     Make {
         name: "nearly empty",
+        values: Values::Symmetric,
         depth: [1e-9, 1e-6],
         whole: 1,
         partial: 0,
         ..USUAL
     },
     Make {
-        name: "middling",
+        name: "grey",
+        values: Values::Grey,
         partial: 0,
         ..USUAL
     },
     Make {
         name: "thick",
+        values: Values::Integers,
         depth: [3.0, 14.0],
         whole: 1,
         partial: 0,
@@ -120,6 +150,8 @@ pub(super) const MAKES: [Make; 24] = [
     },
     Make {
         name: "with gaps",
+        // Something stands behind gaps behind much.
+        depth: [2.0, 5.0],
         what: What::Gaps,
         whole: 0,
         partial: 1,
@@ -190,20 +222,21 @@ pub(super) const MAKES: [Make; 24] = [
     },
     Make {
         name: "short",
-        step: [1e-3, 4e-3],
+        step: [1e-4, 4e-4],
         whole: 0,
         partial: 1,
         ..USUAL
     },
     Make {
         name: "long",
+        values: Values::Proportional,
         step: [20.0, 60.0],
         whole: 1,
         partial: 0,
         ..USUAL
     },
     Make {
-        name: "with negative emission",
+        name: NEGATIVE,
         what: What::Negative,
         whole: 1,
         partial: 0,
@@ -211,6 +244,8 @@ pub(super) const MAKES: [Make; 24] = [
     },
     Make {
         name: "of very many segments",
+        // What is looked at from time to time only shows behind much.
+        depth: [5.0, 9.0],
         segments: [4_100, 4_300],
         whole: 1,
         partial: 0,

@@ -16,7 +16,7 @@ use super::session::{Session, Silence};
 use super::weights::Answers;
 use crate::case::catalogue;
 use early::about_the_end;
-use kinds::{CORE, MAKES, WALL, What};
+use kinds::{CORE, MAKES, NEGATIVE, WALL, What};
 use ray::ray;
 use told::Told;
 
@@ -67,6 +67,8 @@ pub struct HoldOut {
     pub opacity: OpacityCheck,
     /// The digits of all answers.
     pub precision: Option<Precision>,
+    /// A case under whose name a ray has another answer than under one of its own.
+    pub by_case: Option<String>,
     /// A ray asked again at the end, or of a kernel that was started anew, had another answer.
     pub drifts: bool,
 }
@@ -83,10 +85,12 @@ pub struct OpacityCheck {
 }
 
 impl HoldOut {
-    /// Whether it holds on every kind.
+    /// Whether it holds on every kind of rays that there are: light is not negative, and what a kernel makes of light that is
+    /// changes no name.
     #[must_use]
     pub fn is_whole(&self) -> bool {
-        !self.drifts && self.kinds.len() >= FEWEST && self.kinds.iter().all(Kind::holds)
+        let mut there = self.kinds.iter().filter(|kind| kind.name != NEGATIVE);
+        !self.drifts && self.kinds.len() >= FEWEST && there.all(Kind::holds)
     }
 }
 
@@ -117,6 +121,7 @@ pub(super) fn hold_out(
     let mut out = HoldOut::default();
     let mut answers = Vec::new();
     let mut told = Told::default();
+    let mut held: Vec<(Ray, Vec<f64>)> = Vec::new();
     // Of those that a kernel is given elsewhere: one that does something of its own on a case it knows shows.
     let mut names = catalogue::names().skip(1).step_by(2);
     for make in MAKES {
@@ -163,18 +168,17 @@ pub(super) fn hold_out(
                 digits: 17.0,
             };
             for turn in 0..rays {
-                let mut ray = ray(session, &mut random, make, (partial, turn), terms);
-                if make.what != What::OneName
-                    && let Some(name) = names.next()
-                {
-                    ray.name = name.into();
-                }
+                let ray = ray(session, &mut random, make, (partial, turn), terms);
+                let name = names.next().filter(|_| make.what != What::OneName);
                 kind.rays += 1;
-                match session.ask_any(&ray) {
-                    Ok(got) => {
+                match named(session, rule, terms, ray, name, &mut out.by_case) {
+                    Ok((ray, got)) => {
                         answers.extend_from_slice(&got);
                         told.hear(rule, terms, &ray, &got, has_gaps);
-                        judge(rule, terms, &ray, &got, &mut kind, &mut out.misses);
+                        let mut misses = Vec::new();
+                        judge(rule, terms, &ray, &got, &mut kind, &mut misses);
+                        let is_there = make.what != What::Negative;
+                        out.misses.extend(misses.into_iter().filter(|_| is_there));
                         if let Some(opacity) = session.opacity {
                             let (segments, step) = rule.cut(&ray);
                             let answers = of_places(rule, terms.answers);
@@ -186,6 +190,7 @@ pub(super) fn hold_out(
                                 &mut out.opacity,
                             );
                         }
+                        held.extend(is_there.then_some((ray, got)));
                     }
                     // What was asked until then counts.
                     Err(Silence::Budget(_)) if out.kinds.len() >= FEWEST => return Ok(out),
@@ -193,19 +198,88 @@ pub(super) fn hold_out(
                     Err(_) => kind.unanswered += 1,
                 }
             }
-            out.kinds.push(kind);
+            out.kinds.extend((kind.rays > 0).then_some(kind));
         }
     }
     if rule.stop.is_some() {
         let kind = about_the_end(session, rule, terms, &mut random, &mut out.misses)?;
         out.kinds.extend((kind.rays > 0).then_some(kind));
     }
-    out.precision = Some(Precision::of(&answers));
+    let precision = Precision::of(&answers);
+    if 2.0 * precision.unit() < terms.answers.unit {
+        out.kinds
+            .push(again(rule, terms, precision, &held, &mut out.misses));
+    }
+    out.precision = Some(precision);
     out.drifts = terms.answers.noise == 0.0 && told.changes(session);
     Ok(out)
 }
 
-/// Compares the answers to a ray with the rule's.
+/// All rays once more, where answers to these have more digits than the few had that told how they are rounded.
+fn again(
+    rule: &Rule,
+    terms: &Terms<'_>,
+    precision: Precision,
+    held: &[(Ray, Vec<f64>)],
+    misses: &mut Vec<Miss>,
+) -> Kind {
+    let answers = Answers {
+        unit: precision.unit(),
+        ..terms.answers.clone()
+    };
+    let terms = Terms {
+        answers: &answers,
+        ..*terms
+    };
+    let mut kind = Kind {
+        name: "any of these, to all their digits".into(),
+        rays: held.len(),
+        agree: 0,
+        unanswered: 0,
+        digits: 17.0,
+    };
+    for (ray, got) in held {
+        judge(rule, &terms, ray, got, &mut kind, misses);
+    }
+    kind
+}
+
+/// The answer to a ray under the name of a case; where the rule has another one, and this one's under a name of its own, that
+/// one, and the case is kept.
+fn named(
+    session: &mut Session<'_>,
+    rule: &Rule,
+    terms: &Terms<'_>,
+    ray: Ray,
+    name: Option<&str>,
+    by_case: &mut Option<String>,
+) -> Result<(Ray, Vec<f64>), Silence> {
+    let Some(name) = name else {
+        let got = session.ask_any(&ray)?;
+        return Ok((ray, got));
+    };
+    let known = Ray {
+        name: name.into(),
+        ..ray.clone()
+    };
+    let got = session.ask_any(&known)?;
+    if !agrees(rule, terms, &known, &got)
+        && let Ok(own) = session.ask_any(&ray)
+        && agrees(rule, terms, &ray, &own)
+    {
+        by_case.get_or_insert(known.name);
+        return Ok((ray, own));
+    }
+    Ok((known, got))
+}
+
+fn agrees(rule: &Rule, terms: &Terms<'_>, ray: &Ray, got: &[f64]) -> bool {
+    let (segments, step) = rule.cut(ray);
+    let all = compare(rule, &of_places(rule, terms.answers), &segments, step, got);
+    all.iter().all(|compared| compared.agrees)
+}
+
+/// Compares the answers to a ray with the rule's; one that decides nothing is not counted.
 fn judge(
     rule: &Rule,
     terms: &Terms<'_>,
@@ -217,10 +291,12 @@ fn judge(
     let mut agrees = true;
     let (segments, step) = rule.cut(ray);
     let rounded = of_places(rule, terms.answers);
-    for (channel, compared) in compare(rule, &rounded, &segments, step, got)
-        .into_iter()
-        .enumerate()
-    {
+    let all = compare(rule, &rounded, &segments, step, got);
+    if all.iter().all(|one| one.agrees && !one.decides) {
+        kind.rays -= 1;
+        return;
+    }
+    for (channel, compared) in all.into_iter().enumerate() {
         kind.digits = kind.digits.min(compared.digits);
         if !compared.agrees {
             agrees = false;

@@ -1,7 +1,7 @@
 //! A random ray of a kind.
 
 use super::Terms;
-use super::kinds::{Make, What};
+use super::kinds::{Make, Values, What};
 use crate::identify::random::Random;
 use crate::identify::ray::{Emission, Layers, Ray};
 use crate::identify::session::Session;
@@ -86,7 +86,7 @@ pub(super) fn ray(
             let mut of = |place: f64| match Stretch::at(place, n) {
                 Stretch::SameExtinction(_) => tau,
                 Stretch::SameEmission(part) => tau * drift(part),
-                Stretch::Neither => tau * random.within(0.995, 1.005),
+                Stretch::Neither => tau * zigzag(place, random),
             };
             edges = (0..=n).map(|i| of(i as f64)).collect();
             middles = (0..n).map(|i| of(i as f64 + 0.5)).collect();
@@ -99,7 +99,24 @@ pub(super) fn ray(
         What::Full | What::Gaps | What::Negative | What::ShortLast => {}
     }
     let bright = make.bright * if partial { 1.0 } else { 4.0 };
+    // Narrow formats end not far below.
+    let is_wide = terms.answers.unit < 1e-6;
+    let bright = bright
+        * if make.bright < 1.0 && is_wide {
+            1e-3
+        } else {
+            1.0
+        };
+    if make.values == Values::Symmetric {
+        for values in [&mut edges, &mut middles] {
+            let near = values.len() / 2;
+            let mirrored: Vec<f64> = values[..near].iter().rev().copied().collect();
+            let far = values.len() - near;
+            values[far..].copy_from_slice(&mirrored);
+        }
+    }
     let mut emission = emissions(make.what, n, bright, random);
+    of_kind(make.values, &mut emission, &edges, &middles);
     if make.what == What::OneName {
         let all = emission
             .iter_mut()
@@ -138,7 +155,7 @@ fn emissions(what: What, n: usize, bright: f64, random: &mut Random) -> Vec<Emis
                 Emission::of(n, |place| match Stretch::at(place, n) {
                     Stretch::SameExtinction(part) => even * drift(part),
                     Stretch::SameEmission(_) => even,
-                    Stretch::Neither => bright * random.within(0.995, 1.005),
+                    Stretch::Neither => bright * zigzag(place, random),
                 })
             }
             _ => Emission::of(n, |_| random.within(low, bright)),
@@ -154,6 +171,41 @@ fn emissions(what: What, n: usize, bright: f64, random: &mut Random) -> Vec<Emis
         }
     }
     emission
+}
+
+/// Puts emissions of that kind in place.
+fn of_kind(values: Values, emission: &mut [Emission], edges: &[f64], middles: &[f64]) {
+    let all = |emission: &mut [Emission], of: &dyn Fn(f64) -> f64| {
+        let nodes = emission.iter_mut();
+        let nodes = nodes.flat_map(|one| one.edges.iter_mut().chain(&mut one.middles));
+        nodes.for_each(|value| *value = of(*value));
+    };
+    match values {
+        Values::Any | Values::Symmetric => {}
+        Values::White => all(emission, &|_| 1.0),
+        Values::Integers => all(emission, &f64::round),
+        Values::Spike => {
+            for one in emission {
+                for values in [&mut one.edges, &mut one.middles] {
+                    let at = values.len() / 3;
+                    values.iter_mut().skip(at).take(1).for_each(|c| *c *= 100.0);
+                }
+            }
+        }
+        Values::Grey => {
+            if let Some((grey, others)) = emission.split_first_mut() {
+                others.fill(grey.clone());
+            }
+        }
+        Values::Proportional => {
+            let brightest = edges.iter().chain(middles).copied().fold(0.0, f64::max);
+            for (part, one) in (1..).map(|k| 1.0 / f64::from(k)).zip(emission) {
+                let of = |tau: &f64| part * tau / brightest;
+                one.edges = edges.iter().map(of).collect();
+                one.middles = middles.iter().map(of).collect();
+            }
+        }
+    }
 }
 
 /// What is the same along a part of a ray that is nearly even; with the place as a part of that.
@@ -173,6 +225,12 @@ impl Stretch {
             _ => Stretch::SameEmission(third - 2.0),
         }
     }
+}
+
+/// A factor by which neighbours differ and every second one hardly.
+fn zigzag(place: f64, random: &mut Random) -> f64 {
+    let up = place.floor().rem_euclid(2.0) == 0.0;
+    1.0 + random.within(4.5e-3, 5e-3) * if up { 1.0 } else { -1.0 }
 }
 
 /// What neighbours are told apart by at last: a factor that leaves 1 in ever larger steps, by 1e-7 at first and by a third

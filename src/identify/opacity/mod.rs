@@ -91,6 +91,8 @@ fn with_bits(point: &Point, bits: Option<u32>) -> Point {
     }
 }
 
+/// Roundings of which what a segment does is off, where it is computed in a narrow format.
+pub(super) const ROUNDINGS: f64 = 4.0;
 /// Units of formats that opacities may be computed in though answers have more digits.
 const UNITS: [f64; 2] = [1.0 / 16_777_216.0, 1.0 / 2048.0];
 
@@ -115,7 +117,7 @@ fn rounded(measurer: &Measurer<'_>, measured: &Measurements, eps: f64) -> Option
             })
             .collect();
         let answers = Answers {
-            grain: 4.0 * unit,
+            grain: ROUNDINGS * unit,
             ..measurer.answers.clone()
         };
         let whole = laws(&points, eps, &answers)
@@ -123,7 +125,7 @@ fn rounded(measurer: &Measurer<'_>, measured: &Measurements, eps: f64) -> Option
             .find(|f| f.share > 0.999 && is_rounding(&f.law, measured, unit));
         if let Some(fitted) = whole {
             return Some(Fitted {
-                grain: 4.0 * unit,
+                grain: ROUNDINGS * unit,
                 ..fitted
             });
         }

@@ -5,7 +5,7 @@ use super::fit::{Fitted, has};
 use super::measure::{Measurer, Point};
 use crate::identify::number::simplest;
 use crate::identify::random::Random;
-use crate::identify::rule::{Law, Range, Step, Table};
+use crate::identify::rule::{Law, Quantised, Range, Step, Table};
 use crate::identify::session::Session;
 use crate::identify::weights::Answers;
 use crate::identify::{Bracket, NotIdentified, Parameter};
@@ -81,9 +81,13 @@ fn laws(scan: &[Point], measured: &Measurements) -> Vec<Law> {
             within < DISTINCT && (count - count.round()).abs() <= within
         };
         if scan.iter().all(is_multiple) {
-            laws.push(with(Range {
-                quantum: Some(1.0 / levels),
-                ..Range::default()
+            // In segments of a unit of length both opacities are the same; others tell.
+            laws.extend(Quantised::ALL.map(|quantised| {
+                with(Range {
+                    quantum: Some(1.0 / levels),
+                    quantised,
+                    ..Range::default()
+                })
             }));
         }
     }

@@ -7,8 +7,8 @@ pub use name::Part;
 pub(super) use words::short;
 
 use super::rule::{
-    Channels, Curve, Depth, End, Extra, LastStep, Law, Place, Range, Rule, Scheme, Sequence, Shape,
-    Step, StopBy, Wall, Weight, Whole,
+    Channels, Curve, Depth, End, Extra, LastStep, Law, Place, Quantised, Range, Rule, Scheme,
+    Sequence, Shape, Step, StopBy, Wall, Weight, Whole,
 };
 use words::{curve, is_other, of_depth, of_segment, shape, sum, weight};
 
@@ -174,7 +174,16 @@ fn of_range(said: &mut Said, range: &Range) {
         });
     }
     said.bound(Part::OpacityQuantum, range.quantum, |x| {
-        format!("opacities are multiples of {x}")
+        match range.quantised {
+            Quantised::Nearest => format!("opacities are multiples of {x}"),
+            Quantised::Below => format!("opacities are rounded down to multiples of {x}"),
+            Quantised::UnitNearest => {
+                format!("opacities of a unit of length are multiples of {x}")
+            }
+            Quantised::UnitBelow => {
+                format!("opacities of a unit of length are rounded down to multiples of {x}")
+            }
+        }
     });
     if let Some(table) = range.table {
         said.value(Part::Table, table.step, |x| {

@@ -179,8 +179,55 @@ pub struct Range {
     pub series: Option<Series>,
     /// Opacities are multiples of this.
     pub quantum: Option<f64>,
+    /// Which opacities are, and which multiple is taken.
+    pub quantised: Quantised,
     /// Opacities are looked up.
     pub table: Option<Table>,
+}
+
+/// How opacities become multiples of a quantum.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash, Serialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum Quantised {
+    /// To the nearest one.
+    #[default]
+    Nearest,
+    /// To the one below.
+    Below,
+    /// The opacity α₁ of a unit of length is, to the nearest one; that of a segment is 1 − (1 − α₁)^d.
+    UnitNearest,
+    /// The same to the one below.
+    UnitBelow,
+}
+
+impl Quantised {
+    /// All of them.
+    pub const ALL: [Quantised; 4] = [
+        Quantised::Nearest,
+        Quantised::Below,
+        Quantised::UnitNearest,
+        Quantised::UnitBelow,
+    ];
+
+    /// Whether it is the opacity of a unit of length.
+    #[must_use]
+    pub fn is_of_unit(self) -> bool {
+        matches!(self, Quantised::UnitNearest | Quantised::UnitBelow)
+    }
+
+    /// Whether the multiple below is taken.
+    #[must_use]
+    pub fn is_below(self) -> bool {
+        matches!(self, Quantised::Below | Quantised::UnitBelow)
+    }
+
+    fn of<R: Real>(self, opacity: R, quantum: &R) -> R {
+        if self.is_below() {
+            below(&opacity, quantum)
+        } else {
+            to_multiple(opacity, quantum)
+        }
+    }
 }
 
 /// 1 − e^(−x) ≈ x − x²/2 + … up to xᴷ, where x < `below`.
@@ -249,7 +296,7 @@ impl Law {
         }
         let (mut opacity, mut passes) = match range.table {
             Some(table) => self.looked_up(table, extinction, length, ray, x.clone()),
-            None if self.formula == Formula::Power => self.by_power(extinction, length, ray),
+            None if self.is_by_power() => self.by_power(extinction, length, ray),
             None => self.shape.of(&x),
         };
         if (self.cover.0 - 1.0).abs() > 0.0 {
@@ -289,8 +336,8 @@ impl Law {
                 opacity = most;
             }
         }
-        if let Some(quantum) = range.quantum {
-            opacity = to_multiple(opacity, &format.binary64(quantum));
+        if let Some(quantum) = range.quantum.filter(|_| !range.quantised.is_of_unit()) {
+            opacity = range.quantised.of(opacity, &format.binary64(quantum));
             passes = format.int(1) - &opacity;
         }
         let weight = self.weigh(&opacity, &passes, [extinction, length, ray]);
@@ -300,6 +347,13 @@ impl Law {
         (weight, passes)
     }
 
+    /// Whether the opacity of a unit of length is raised to a power.
+    #[must_use]
+    pub fn is_by_power(&self) -> bool {
+        let has_quantum = self.range.quantum.is_some() && self.range.quantised.is_of_unit();
+        self.formula == Formula::Power || has_quantum
+    }
+
     /// (α, p) with p = (1 − α₁)^d.
     fn by_power<R: Real>(&self, extinction: &R, length: &R, ray: &R) -> (R, R) {
         let one = || length.format().int(1);
@@ -307,7 +361,17 @@ impl Law {
             length: super::Power::ZERO,
             ..self.depth
         };
-        let unit = one() - &(-of_unit.of(extinction, length, ray)).exp();
+        let mut unit = one() - &(-of_unit.of(extinction, length, ray)).exp();
+        if let Some(quantum) = self
+            .range
+            .quantum
+            .filter(|_| self.range.quantised.is_of_unit())
+        {
+            unit = self
+                .range
+                .quantised
+                .of(unit, &length.format().binary64(quantum));
+        }
         let through = one() - &unit;
         let passes = if through > length.format().int(0) {
             (through.ln() * length).exp()

@@ -23,7 +23,7 @@ pub use composed::{Composed, Node};
 pub use depth::{Depth, Power};
 pub(super) use lattice::plus;
 pub use lattice::{Along, Count, Lattice};
-pub use law::{Formula, Law, Range, Scale, Series, Shape, Step, Table, Weight};
+pub use law::{Formula, Law, Quantised, Range, Scale, Series, Shape, Step, Table, Weight};
 pub use linear::LinearSegments;
 pub use output::{Channels, Curve, Output};
 pub(super) use scheme::Three;

@@ -3,9 +3,10 @@
 use super::accept::{Acceptance, Accepted, acceptance};
 use super::{Line, Settings};
 use crate::identify::rule::Rule;
-use crate::identify::{Budget, Deviation, Examined, Seen, Spent, examine};
+use crate::identify::{Budget, Deviation, Examined, Seen, Spent, examine_for};
 use crate::kernel::{FormKind, Kernel, Quantity, Segments, Subject};
 use crate::study::Progress;
+use rug::Rational;
 use std::time::Duration;
 
 /// Whether it is read off what a kernel computes.
@@ -124,7 +125,9 @@ pub(super) fn identified(
         },
     };
     let mut before = 0;
-    let mut examined = examine(kernel, budget, &mut |spent: &Spent| {
+    let claimed = settings.expect.as_ref().map(Rational::to_f64);
+    let claimed = claimed.or(kernel.declaration().order);
+    let mut examined = examine_for(kernel, claimed, budget, &mut |spent: &Spent| {
         // The search for a witness has its own count.
         progress.advance(spent.segments.saturating_sub(before));
         before = spent.segments;

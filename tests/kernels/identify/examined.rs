@@ -295,3 +295,27 @@ fn rare_faults_without_a_name_have_a_witness_within_the_budget() {
     let witness = examined.witness.expect("a witness");
     assert!(witness.segments() <= 4, "{witness}");
 }
+
+/// Σ C τ d e^(−t), with t up to the front of segments: Riemann's sum inside and outside.
+#[test]
+fn a_riemann_sum_is_right_where_no_more_than_its_order_is_declared() {
+    let deviations = |order: Option<f64>| {
+        let mut declaration = Declaration::new("sum");
+        declaration.order = order;
+        let mut kernel = Closure::new(declaration, |task: &Task<'_>, channel| {
+            let segments = task.cut().expect("segments");
+            let (mut radiance, mut depth) = (0.0, 0.0);
+            let ends = segments.edges.extinction.iter();
+            let ends = ends.zip(&segments.edges.emission[channel]);
+            for ((tau, c), d) in ends.zip(segments.lengths()) {
+                radiance += c * tau * d * f64::exp(-depth);
+                depth += tau * d;
+            }
+            radiance
+        });
+        names(&examine(&mut kernel, Budget::default(), &mut |_| ()))
+    };
+    assert!(deviations(Some(1.0)).is_empty());
+    assert_eq!(deviations(Some(2.0)), ["weight"]);
+    assert_eq!(deviations(None), ["weight"]);
+}

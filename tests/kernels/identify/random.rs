@@ -5,8 +5,9 @@ use rand_pcg::Pcg64;
 use rug::Rational;
 use volver::identify::Rule;
 use volver::identify::rule::{
-    Channels, Curve, Depth, End, Extra, Formula, LastStep, Law, Output, Place, Power, Range, Scale,
-    Scheme, Segment, Sequence, Series, Shape, Step, Stop, StopBy, Table, Wall, Weight, Whole,
+    Channels, Curve, Depth, End, Extra, Formula, LastStep, Law, Output, Place, Power, Quantised,
+    Range, Scale, Scheme, Segment, Sequence, Series, Shape, Step, Stop, StopBy, Table, Wall,
+    Weight, Whole,
 };
 use volver::kernel::{Samples, Segments};
 
@@ -144,6 +145,8 @@ impl Random {
             uncorrected_length: 0.25,
             series,
             quantum: self.one_in(6).then_some(1.0 / 255.0),
+            // Those of a unit of length go with one law of opacity alone.
+            quantised: self.of(&[Quantised::Nearest, Quantised::Below]),
             table,
         }
     }

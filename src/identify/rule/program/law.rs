@@ -2,7 +2,7 @@
 
 use super::expression::{factor, multiple_below, nearest_multiple, number, product, scaled};
 use super::{Statement, at_most, set, when};
-use crate::identify::rule::{Depth, Formula, Law, Power, Range, Step, Table, Weight};
+use crate::identify::rule::{Depth, Law, Power, Quantised, Range, Step, Table, Weight};
 
 /// What one step of the march does, as statements and expressions.
 pub(super) struct Layer {
@@ -92,7 +92,7 @@ fn follows_shape(law: &Law, all: &mut Vec<Statement>, t: &str) -> bool {
         looked_up(law, table, all, t);
         return false;
     }
-    if law.formula == Formula::Power {
+    if law.is_by_power() {
         let of_unit = Depth {
             length: Power::ZERO,
             ..law.depth
@@ -101,6 +101,13 @@ fn follows_shape(law: &Law, all: &mut Vec<Statement>, t: &str) -> bool {
             "unit",
             format!("1 - exp(-{})", of_unit.program(t, "d")),
         ));
+        if let Some(quantum) = law
+            .range
+            .quantum
+            .filter(|_| law.range.quantised.is_of_unit())
+        {
+            all.push(set("unit", multiple(law.range.quantised, "unit", quantum)));
+        }
         all.push(set("p", "pow(1 - unit, d)"));
         all.push(set("alpha", "1 - p"));
         return false;
@@ -188,6 +195,15 @@ fn corrected(law: &Law, all: &mut Vec<Statement>, t: &str) -> Option<String> {
     }
 }
 
+/// The multiple that stands in an opacity's place.
+fn multiple(how: Quantised, opacity: &str, quantum: f64) -> String {
+    if how.is_below() {
+        multiple_below(opacity, quantum)
+    } else {
+        nearest_multiple(opacity, quantum)
+    }
+}
+
 /// The largest opacity, and multiples.
 fn limited(range: &Range, all: &mut Vec<Statement>) {
     if let Some(most) = range.opacity_max {
@@ -195,8 +211,8 @@ fn limited(range: &Range, all: &mut Vec<Statement>) {
         let then = vec![set("alpha", most.as_str()), set("p", format!("1 - {most}"))];
         all.push(when(format!("alpha > {most}"), then));
     }
-    if let Some(quantum) = range.quantum {
-        all.push(set("alpha", nearest_multiple("alpha", quantum)));
+    if let Some(quantum) = range.quantum.filter(|_| !range.quantised.is_of_unit()) {
+        all.push(set("alpha", multiple(range.quantised, "alpha", quantum)));
         all.push(set("p", "1 - alpha"));
     }
 }

@@ -1,7 +1,7 @@
 //! What one sample does, in signs.
 
 use super::{Line, factor, formula, number, words};
-use crate::identify::rule::{Depth, Formula, Law, Power, Range, Scale, Shape, Step, Table, Weight};
+use crate::identify::rule::{Depth, Law, Power, Range, Scale, Shape, Step, Table, Weight};
 
 /// The parts of a description.
 pub(super) struct Described {
@@ -75,7 +75,7 @@ pub(super) fn described(law: &Law) -> Described {
 
 /// Whether the opacity of a unit is raised to a power; a table has no need to.
 fn is_by_power(law: &Law) -> bool {
-    law.formula == Formula::Power && law.range.table.is_none()
+    law.is_by_power() && law.range.table.is_none()
 }
 
 /// α of x.
@@ -219,7 +219,17 @@ fn range(range: &Range, of: Shape) -> Vec<Line> {
         format!("an opacity above {x} counts as {x}")
     });
     say(range.quantum, &|x| {
-        format!("opacities are rounded to multiples of {x}")
+        let of = if range.quantised.is_of_unit() {
+            "the opacities uⱼ"
+        } else {
+            "opacities"
+        };
+        let down = if range.quantised.is_below() {
+            " down"
+        } else {
+            ""
+        };
+        format!("{of} are rounded{down} to multiples of {x}")
     });
     if let Some(threshold) = range.uncorrected_under {
         let (length, threshold) = (number(range.uncorrected_length), number(threshold));
