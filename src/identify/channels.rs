@@ -35,18 +35,15 @@ pub(super) fn constants(
 
 /// The answers to the emissions that the output's map is read off, where no channel has another one's; `None` where one
 /// has, or there are no such answers.
-pub(super) fn in_order(session: &mut Session<'_>) -> Result<Option<Vec<f64>>, NotIdentified> {
+pub(super) fn in_order(session: &mut Session<'_>) -> Option<Vec<f64>> {
     let sizes = sizes();
-    let answers = match constants(session, &sizes) {
-        Ok(answers) => answers,
-        // It may be too many channels.
-        Err(_) => return Ok(None),
-    };
+    // Without an answer, it may be too many channels.
+    let answers = constants(session, &sizes).ok()?;
     let mut pairs: Vec<(f64, f64)> = sizes.into_iter().zip(answers.iter().copied()).collect();
     pairs.sort_by(|u, v| u.0.total_cmp(&v.0));
     let rises = pairs.windows(2).all(|w| w[1].1 >= w[0].1);
     let tells = pairs[0].1 < pairs[pairs.len() - 1].1;
-    Ok((rises && tells).then_some(answers))
+    (rises && tells).then_some(answers)
 }
 
 /// Equal channels, one channel alone, and three different ones.

@@ -85,8 +85,8 @@ pub(in crate::identify) fn counts(
         sequence = found;
     }
     let by_weight = rule.stop.is_some_and(|stop| stop.by == StopBy::Weight);
-    let is_dear = session.is_narrow() || session.most_samples < LONG;
-    if !(lean && is_dear) && !by_weight {
+    let is_dear = lean && (session.is_narrow() || session.most_samples < LONG);
+    if !is_dear && !by_weight {
         sequence.most = most(session, lone, rule, &sequence)?;
     }
     Ok(sequence)

@@ -47,6 +47,15 @@ fn whole_of(lone: &Lone<'_>, w: &[Measured], taus: &[f64], length: f64) -> Optio
     found.map(|(whole, _)| *whole)
 }
 
+/// Those that are asked.
+fn extinctions(session: &Session<'_>) -> &'static [f64] {
+    if session.is_short() {
+        &FEW
+    } else {
+        &EXTINCTIONS
+    }
+}
+
 /// Weights of samples at all ends of segments, by their extinctions.
 fn with_extra(
     session: &mut Session<'_>,
@@ -85,15 +94,9 @@ pub(in crate::identify) fn wall(
     } else {
         n - 1 - usize::from(sequence.last == End::Missing)
     };
-    let mut rows = Vec::new();
-    let mut parts = Vec::new();
+    let mut parts: Vec<(f64, f64, f64)> = Vec::new();
     let mut open = None;
-    let extinctions: &[f64] = if session.is_short() {
-        &FEW
-    } else {
-        &EXTINCTIONS
-    };
-    for &extinction in extinctions {
+    for &extinction in extinctions(session) {
         let mut taus = vec![tau; n + usize::from(is_extra)];
         taus[last] = extinction;
         let w = if is_extra {
@@ -109,9 +112,12 @@ pub(in crate::identify) fn wall(
         if extinction == 0.0 {
             open = whole_of(lone, &w, &taus, length);
         }
-        rows.push(vec![extinction, part, error]);
         parts.push((extinction, part, error));
     }
+    let rows = parts
+        .iter()
+        .map(|(tau, part, error)| vec![*tau, *part, *error])
+        .collect();
     let failed =
         NotIdentified::new("the last sample weighs more than its segment, by no known law")
             .with_rows(&["its extinction", "its weight", "error"], rows);

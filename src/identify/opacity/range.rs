@@ -214,12 +214,11 @@ impl Search<'_, '_, '_> {
             let here = |tau: f64| of(tau, length);
             let before = brackets.first().copied();
             // The same opacity as at the other length, or the same extinction; else a simple one of either.
-            let guesses = |both: Bracket| match before {
-                Some((other, (low, high))) => {
+            let guesses = |both: Bracket| {
+                if let Some((other, (low, high))) = before {
                     let same = |tau: f64| inverse(&here, of(tau, other), both);
                     vec![around((same(low), same(high))), around((low, high))]
-                }
-                None => {
+                } else {
                     let opacity = simplest(here(both.0), here(both.1));
                     let by_opacity = inverse(&here, opacity, both);
                     vec![about(by_opacity), about(simplest(both.0, both.1))]
@@ -292,12 +291,10 @@ impl Search<'_, '_, '_> {
             let over = all.filter(|p| has(law, p, answers) && p.extinction > low);
             let Some(high) = smallest(over) else { continue };
             let before = brackets.first().copied();
-            let guesses = |both: Bracket| match before {
-                Some(before) => vec![around(before)],
-                None => {
-                    let simple = simplest(unit(both.0), unit(both.1));
-                    vec![about(inverse(&unit, simple, both))]
-                }
+            let guesses = |both: Bracket| {
+                let simple = || simplest(unit(both.0), unit(both.1));
+                let by_opacity = || about(inverse(&unit, simple(), both));
+                vec![before.map_or_else(by_opacity, around)]
             };
             let border = self.border(step, (low, high), &guesses, &|p| has(law, p, answers))?;
             brackets.extend(border);
