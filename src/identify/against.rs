@@ -192,6 +192,7 @@ fn ask_both(
             answers: &Answers::default(),
             typical: 1.0,
             no_vacuum: fails(one) || fails(other),
+            by_name: false,
             negative: false,
             right: None,
         },

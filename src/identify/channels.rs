@@ -1,6 +1,7 @@
 //! Whether channels are alike, and whose answer stands where.
 
 use super::NotIdentified;
+use super::output::sizes;
 use super::random::Random;
 use super::ray::{Emission, Layers};
 use super::rule::Channels;
@@ -30,6 +31,19 @@ pub(super) fn constants(
     let emission: Vec<Emission> = sizes.iter().map(|c| Emission::even(n, *c)).collect();
     let ray = session.ray(&layers, &emission);
     Ok(session.ask(&ray)?)
+}
+
+/// The answers to the emissions that the output's map is read off, where no channel has another one's; `None` where one
+/// has, or there are no such answers.
+pub(super) fn in_order(session: &mut Session<'_>) -> Option<Vec<f64>> {
+    let sizes = sizes();
+    // Without an answer, it may be too many channels.
+    let answers = constants(session, &sizes).ok()?;
+    let mut pairs: Vec<(f64, f64)> = sizes.into_iter().zip(answers.iter().copied()).collect();
+    pairs.sort_by(|u, v| u.0.total_cmp(&v.0));
+    let rises = pairs.windows(2).all(|w| w[1].1 >= w[0].1);
+    let tells = pairs[0].1 < pairs[pairs.len() - 1].1;
+    (rises && tells).then_some(answers)
 }
 
 /// Equal channels, one channel alone, and three different ones.

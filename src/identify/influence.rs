@@ -54,122 +54,183 @@ pub(super) fn influence(
     even: &Even,
     samples: &Samples,
 ) -> Result<Influence, NotIdentified> {
-    let n = even.weights.ray.segments.count();
-    let place = samples.place;
-    let extra = samples.sequence.extra.is_some();
-    let nodes = nodes_of(place, n, extra);
-    let taus = vec![even.extinction; n];
-    let weight = |node: &Node| weight_of(&even.weights, n, *node);
-    let base: Vec<Measured> = nodes.iter().map(weight).collect();
-    let mixed = with_others(session, answers, place, &taus, &nodes)?;
-    let top = base.iter().map(|w| w.value.abs()).fold(0.0, f64::max);
-    let lit = |k: usize| base[k].value.abs() > 1e-9 * top + 8.0 * base[k].error;
-    let live: Vec<usize> = (0..nodes.len()).filter(|k| lit(*k)).collect();
-    let ratio = |of: &[Measured], k: usize| Measured {
-        value: of[k].value / base[k].value,
-        error: (of[k].error + base[k].error * (of[k].value / base[k].value).abs())
-            / base[k].value.abs(),
-    };
-    let slack = 8.0 * answers.relative(n);
-    let same = |u: Measured, value: f64| {
-        (u.value - value).abs() <= 3.0 * u.error + slack * value.abs().max(1.0)
-    };
-    if !live.iter().all(|k| same(ratio(&mixed, *k), 1.0)) {
-        return Ok(Influence::Several);
-    }
-    // The sample in the middle of those that are taken.
-    let back = place == Place::Back;
-    let order = samples.sequence.order(n, false, back);
-    let offset = isize::from(back && extra);
-    let position = |k: usize| {
-        let index = isize::try_from(k).unwrap_or(0) - offset;
-        order.iter().position(|i| *i == index)
-    };
-    let j = 5.min(n - 1);
-    let mut raised = taus.clone();
-    raised[j] *= RAISED;
-    let layers = layers_at(place, STEP, &raised, &raised);
-    let found = weights(session, answers, &layers, &nodes, &[])?.of;
-    let late = usize::from(samples.sequence.late);
-    let own = j + usize::from(back && extra);
-    let Some(at) = position(own) else {
-        return Err(NotIdentified::new("the raised sample is not taken"));
-    };
-    let rows: Vec<Vec<f64>> = live
-        .iter()
-        .map(|k| {
-            let r = ratio(&found, *k);
-            vec![*k as f64, r.value, r.error]
-        })
-        .collect();
-    let failed = |reason: &str| {
-        Err(NotIdentified::new(reason).with_rows(
-            &["sample", "weight by that of the even medium", "error"],
-            rows.clone(),
-        ))
-    };
-    let (mut before, mut behind) = (Vec::new(), Vec::new());
-    let last = live.iter().filter_map(|k| position(*k)).max();
-    for &k in &live {
-        match position(k) {
-            Some(p) if p < at => before.push(ratio(&found, k)),
-            Some(p) if p > at && p <= at + late => before.push(ratio(&found, k)),
-            // A wall's weight is another law's.
-            Some(p) if p > at + late && !(samples.wall && Some(p) == last) => {
-                behind.push(ratio(&found, k));
-            }
-            _ => {}
+    let base = Base::of(answers, even, samples);
+    // Where there are few rays both are one question: mostly nothing else acts.
+    if session.is_short() {
+        let others = base.others();
+        let both = base.raise(session, &others)?;
+        if let Ok(found @ Influence::Own { whole: Whole::One }) = base.acts(&both) {
+            return Ok(found);
         }
     }
-    let (Some(factor), Some(through)) = (before.first().copied(), behind.first().copied()) else {
-        return failed("too few samples have weight");
-    };
-    let agree = |all: &[Measured], value: f64| {
-        all.iter()
-            .all(|r| (r.value - value).abs() <= 3.0 * r.error + slack * value.abs().max(1.0))
-    };
-    if !agree(&before, factor.value) || !agree(&behind, through.value) {
-        return failed(
-            "a segment's extinction does not act as one factor on all that lies behind it and on nothing else",
-        );
+    if base.others_act(session)? {
+        return Ok(Influence::Several);
     }
-    if (factor.value - 1.0).abs() <= 3.0 * factor.error + slack {
-        return Ok(Influence::Own { whole: Whole::One });
-    }
-    // Neighbours inside, in the order in which they are taken.
-    let inner = |k: &usize| position(*k).is_some_and(|p| p > 0 && p + 1 < order.len());
-    let mut inner: Vec<(usize, f64)> = live
-        .iter()
-        .filter(|k| inner(k))
-        .filter_map(|k| Some((position(*k)?, base[*k].value)))
-        .collect();
-    inner.sort_by_key(|(position, _)| *position);
-    let raised = Raised {
-        factor,
-        through,
-        count: order.len(),
-        allowed: 8.0 * (factor.error + slack),
-    };
-    match raised.whole(&inner) {
-        Some(whole) => Ok(Influence::Own { whole }),
-        None => failed(
-            "all weights change by a common factor, which is neither division nor multiplication by the ray's opacity",
-        ),
-    }
+    let raised = base.raised();
+    let found = base.raise(session, &raised)?;
+    base.acts(&found)
 }
 
-/// Weights where the extinctions at all other nodes are random.
-fn with_others(
-    session: &mut Session<'_>,
-    answers: &Answers,
-    place: Place,
-    taus: &[f64],
-    nodes: &[Node],
-) -> Result<Vec<Measured>, NotIdentified> {
-    let tau = taus.first().copied().unwrap_or(0.0);
-    let others = Random::new(23).many(taus.len(), 0.25 * tau, 5.0 * tau);
-    let layers = layers_at(place, STEP, taus, &others);
-    Ok(weights(session, answers, &layers, nodes, &[])?.of)
+/// The weights over an even medium, with which others are compared.
+struct Base<'a> {
+    answers: &'a Answers,
+    samples: &'a Samples,
+    n: usize,
+    extinction: f64,
+    nodes: Vec<Node>,
+    of: Vec<Measured>,
+    /// Those that have weight.
+    live: Vec<usize>,
+    slack: f64,
+}
+
+/// Which segment's extinction is raised.
+const AT: usize = 5;
+
+impl<'a> Base<'a> {
+    fn of(answers: &'a Answers, even: &Even, samples: &'a Samples) -> Self {
+        let n = even.weights.ray.segments.count();
+        let nodes = nodes_of(samples.place, n, samples.sequence.extra.is_some());
+        let weight = |node: &Node| weight_of(&even.weights, n, *node);
+        let of: Vec<Measured> = nodes.iter().map(weight).collect();
+        let top = of.iter().map(|w| w.value.abs()).fold(0.0, f64::max);
+        let lit = |k: &usize| of[*k].value.abs() > 1e-9 * top + 8.0 * of[*k].error;
+        Base {
+            answers,
+            samples,
+            n,
+            extinction: even.extinction,
+            live: (0..nodes.len()).filter(lit).collect(),
+            nodes,
+            of,
+            slack: 8.0 * answers.relative(n),
+        }
+    }
+
+    /// A weight by that over the even medium.
+    fn ratio(&self, of: &[Measured], k: usize) -> Measured {
+        let base = self.of[k];
+        Measured {
+            value: of[k].value / base.value,
+            error: (of[k].error + base.error * (of[k].value / base.value).abs()) / base.value.abs(),
+        }
+    }
+
+    fn agree(&self, all: &[Measured], value: f64) -> bool {
+        all.iter()
+            .all(|r| (r.value - value).abs() <= 3.0 * r.error + self.slack * value.abs().max(1.0))
+    }
+
+    /// Random extinctions.
+    fn others(&self) -> Vec<f64> {
+        let tau = self.extinction;
+        Random::new(23).many(self.n, 0.25 * tau, 5.0 * tau)
+    }
+
+    /// The even ones, and one raised.
+    fn raised(&self) -> Vec<f64> {
+        let mut raised = vec![self.extinction; self.n];
+        raised[AT.min(self.n - 1)] *= RAISED;
+        raised
+    }
+
+    /// Whether extinctions at nodes that have no weight act.
+    fn others_act(&self, session: &mut Session<'_>) -> Result<bool, NotIdentified> {
+        let taus = vec![self.extinction; self.n];
+        let layers = layers_at(self.samples.place, STEP, &taus, &self.others());
+        let found = weights(session, self.answers, &layers, &self.nodes, &[])?.of;
+        let mut all = self.live.iter();
+        Ok(!all.all(|k| self.agree(&[self.ratio(&found, *k)], 1.0)))
+    }
+
+    /// Weights with one extinction raised, and those of nodes without weight.
+    fn raise(
+        &self,
+        session: &mut Session<'_>,
+        others: &[f64],
+    ) -> Result<Vec<Measured>, NotIdentified> {
+        let layers = layers_at(self.samples.place, STEP, &self.raised(), others);
+        Ok(weights(session, self.answers, &layers, &self.nodes, &[])?.of)
+    }
+
+    /// What the extinction that was raised acts on.
+    fn acts(&self, found: &[Measured]) -> Result<Influence, NotIdentified> {
+        let samples = self.samples;
+        // The sample in the middle of those that are taken.
+        let back = samples.place == Place::Back;
+        let extra = samples.sequence.extra.is_some();
+        let order = samples.sequence.order(self.n, false, back);
+        let offset = isize::from(back && extra);
+        let position = |k: usize| {
+            let index = isize::try_from(k).unwrap_or(0) - offset;
+            order.iter().position(|i| *i == index)
+        };
+        let late = usize::from(samples.sequence.late);
+        let own = AT.min(self.n - 1) + usize::from(back && extra);
+        let Some(at) = position(own) else {
+            return Err(NotIdentified::new("the raised sample is not taken"));
+        };
+        let rows: Vec<Vec<f64>> = self
+            .live
+            .iter()
+            .map(|k| {
+                let r = self.ratio(found, *k);
+                vec![*k as f64, r.value, r.error]
+            })
+            .collect();
+        let failed = |reason: &str| {
+            Err(NotIdentified::new(reason).with_rows(
+                &["sample", "weight by that of the even medium", "error"],
+                rows.clone(),
+            ))
+        };
+        let (mut before, mut behind) = (Vec::new(), Vec::new());
+        let last = self.live.iter().filter_map(|k| position(*k)).max();
+        for &k in &self.live {
+            match position(k) {
+                Some(p) if p < at => before.push(self.ratio(found, k)),
+                Some(p) if p > at && p <= at + late => before.push(self.ratio(found, k)),
+                // A wall's weight is another law's.
+                Some(p) if p > at + late && !(samples.wall && Some(p) == last) => {
+                    behind.push(self.ratio(found, k));
+                }
+                _ => {}
+            }
+        }
+        let (Some(factor), Some(through)) = (before.first().copied(), behind.first().copied())
+        else {
+            return failed("too few samples have weight");
+        };
+        if !self.agree(&before, factor.value) || !self.agree(&behind, through.value) {
+            return failed(
+                "a segment's extinction does not act as one factor on all that lies behind it and on nothing else",
+            );
+        }
+        if (factor.value - 1.0).abs() <= 3.0 * factor.error + self.slack {
+            return Ok(Influence::Own { whole: Whole::One });
+        }
+        // Neighbours inside, in the order in which they are taken.
+        let inner = |k: &usize| position(*k).is_some_and(|p| p > 0 && p + 1 < order.len());
+        let mut inner: Vec<(usize, f64)> = self
+            .live
+            .iter()
+            .filter(|k| inner(k))
+            .filter_map(|k| Some((position(*k)?, self.of[*k].value)))
+            .collect();
+        inner.sort_by_key(|(position, _)| *position);
+        let raised = Raised {
+            factor,
+            through,
+            count: order.len(),
+            allowed: 8.0 * (factor.error + self.slack),
+        };
+        match raised.whole(&inner) {
+            Some(whole) => Ok(Influence::Own { whole }),
+            None => failed(
+                "all weights change by a common factor, which is neither division nor multiplication by the ray's opacity",
+            ),
+        }
+    }
 }
 
 /// Weights of a ray with one extinction raised, by those of the even one.

@@ -132,6 +132,7 @@ pub fn held_out(
         answers: &answers,
         typical: factor.recip(),
         no_vacuum: false,
+        by_name: false,
         negative: !session.positive,
         right: None,
     };

@@ -4,7 +4,7 @@ use super::channels::{constants, even};
 use super::number::simplest_near;
 use super::precision::Precision;
 use super::random::Random;
-use super::ray::Emission;
+use super::ray::{Emission, Layers};
 use super::rule::{Curve, Output};
 use super::session::Session;
 use super::state::State;
@@ -23,6 +23,8 @@ pub(super) struct Mapped {
     pub(super) brackets: Vec<Bracket>,
     /// Negative emissions have answers.
     pub(super) takes_negative: bool,
+    /// The even medium, and its answer without emission.
+    pub(super) dark: (Layers, f64),
 }
 
 /// The size of the one emission that tells a cut of the answer from one of the emission.
@@ -35,7 +37,7 @@ const SUBNORMAL: f64 = 2e-5;
 const MOST_SCATTER: f64 = 1e-3;
 
 /// 63 sizes from 2⁻²⁰ to 2¹², more of them about 1, in a random order.
-fn sizes() -> Vec<f64> {
+pub(super) fn sizes() -> Vec<f64> {
     let mut sizes = vec![0.0];
     sizes.extend((-20..=12).map(|k| f64::from(k).exp2()));
     sizes.extend((0..29).map(|k| 0.03 + f64::from(k) * 0.085));
@@ -53,11 +55,12 @@ struct Curved {
     y: Vec<f64>,
 }
 
-/// Reads off curve, cuts, quantum, format.
+/// Reads off curve, cuts, quantum, format; the answers to all sizes may have been `asked` before.
 pub(super) fn output(
     session: &mut Session<'_>,
     state: &State,
     noise: f64,
+    asked: Option<Vec<f64>>,
 ) -> Result<Mapped, NotIdentified> {
     let mut sizes = sizes();
     if session.is_narrow() {
@@ -65,7 +68,10 @@ pub(super) fn output(
         sizes.sort_by(f64::total_cmp);
         sizes = sizes.into_iter().step_by(3).collect();
     }
-    let many = constants(session, &sizes)?;
+    let many = match asked {
+        Some(answers) => answers,
+        None => constants(session, &sizes)?,
+    };
     let mut pairs: Vec<(f64, f64)> = sizes.iter().copied().zip(many).collect();
     pairs.sort_by(|u, v| u.0.total_cmp(&v.0));
     let (c, y): (Vec<f64>, Vec<f64>) = pairs.into_iter().unzip();
@@ -100,6 +106,8 @@ pub(super) fn output(
         emission_min: None,
         brackets: Vec::new(),
         takes_negative: negative.is_some(),
+        // 0 is the smallest size.
+        dark: (even(session), y[0]),
     };
     let mut curved = Curved { c, y };
     let top = cut_above(session, &mut mapped, &mut curved)?;

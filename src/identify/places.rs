@@ -12,8 +12,8 @@ use super::weights::{Answers, Measured, Weights, all_nodes, weights};
 pub(super) enum Places {
     /// One sample a segment.
     Samples(Samples),
-    /// Several values a segment.
-    Several,
+    /// Several values a segment; of the last one none, perhaps.
+    Several(End),
 }
 
 /// One sample a segment.
@@ -318,10 +318,15 @@ pub(super) fn places(
     let Some(first) = fitting.first() else {
         let lit = |node: &Node| of(*node).value.abs() > NONE * top + 3.0 * of(*node).error;
         let lit: Vec<Node> = nodes.iter().copied().filter(lit).collect();
-        let all_edges = (0..=n).all(|i| lit.contains(&Node::Edge(i)));
+        let first_edges = (0..n).all(|i| lit.contains(&Node::Edge(i)));
         let middles = (0..n).filter(|i| lit.contains(&Node::Middle(*i))).count();
-        if all_edges && (middles == 0 || middles == n) {
-            return Ok(Places::Several);
+        let last = match lit.contains(&Node::Edge(n)) {
+            true if middles == 0 || middles == n => Some(End::Once),
+            false if middles == 0 || middles == n - 1 => Some(End::Missing),
+            _ => None,
+        };
+        if let Some(last) = last.filter(|_| first_edges) {
+            return Ok(Places::Several(last));
         }
         let rows = nodes.iter().map(|node| {
             let (at, w) = match node {

@@ -5,7 +5,7 @@ use super::least_squares::solve;
 use super::number::simplest;
 use super::random::Random;
 use super::ray::{Emission, Layers};
-use super::rule::{Node, Scale, Scheme, Segment, Three};
+use super::rule::{End, Node, Scale, Scheme, Segment, Three, Wall};
 use super::session::Session;
 use super::weights::{Answers, all_nodes, impulse};
 use crate::real::Native;
@@ -19,6 +19,16 @@ struct One {
     length: f64,
     weights: [f64; 3],
     passes: f64,
+    /// The emission of its far end shines behind it, too.
+    walled: bool,
+}
+
+/// How segments are asked.
+#[derive(Clone, Copy)]
+struct Asker<'a> {
+    answers: &'a Answers,
+    /// Of the last segment: where it is missing, one more is asked.
+    last: End,
 }
 
 /// Triples of rays; and where there are few, of three weights each for no more than six unknowns.
@@ -27,14 +37,16 @@ const FEW_TRIPLES: usize = 4;
 /// Lengths of segments.
 const LENGTHS: [f64; 3] = [0.25, 1.0, 0.6];
 
-/// What was read off: the scheme, and what rows it was read from.
+/// What was read off: the scheme, and whether the emission of the far end shines behind the ray.
 pub(super) fn segments(
     session: &mut Session<'_>,
     answers: &Answers,
-) -> Result<Scheme, NotIdentified> {
+    last: End,
+) -> Result<(Scheme, Option<Wall>), NotIdentified> {
     let tolerance = 1e-10 + 512.0 * answers.unit + 8.0 * answers.noise;
     let mut random = Random::new(61);
-    let mut all = Vec::new();
+    let mut all: Vec<One> = Vec::new();
+    let asker = Asker { answers, last };
     let triples = if session.is_short() {
         FEW_TRIPLES
     } else {
@@ -44,16 +56,26 @@ pub(super) fn segments(
         let length = LENGTHS[k % LENGTHS.len()];
         let edges = random.many(3, 0.05, 2.5);
         let middles = random.many(2, 0.05, 2.5);
-        all.push(triple(
-            session, answers, tolerance, length, &edges, &middles,
-        )?);
+        all.push(triple(session, asker, tolerance, length, &edges, &middles)?);
+    }
+    let wall = all
+        .iter()
+        .all(|one| one.walled)
+        .then_some(Wall::LastEmission);
+    if wall.is_none() && all.iter().any(|one| one.walled) {
+        return Err(NotIdentified::new(
+            "the far end's emission shines behind some rays and not behind others",
+        ));
     }
     let depth = depth(&all, tolerance)?;
     forms(&all, &depth, tolerance)
-        .map(|(weights, scale)| Scheme::Segments {
-            depth,
-            weights,
-            scale: Scale(scale),
+        .map(|(weights, scale)| {
+            let scheme = Scheme::Segments {
+                depth,
+                weights,
+                scale: Scale(scale),
+            };
+            (scheme, wall)
         })
         .ok_or_else(|| {
             let rows = all.iter().take(4).map(|one| {
@@ -80,22 +102,27 @@ pub(super) fn segments(
 /// Weights of all nodes of a ray of one segment or two.
 fn weights(
     session: &mut Session<'_>,
-    answers: &Answers,
+    Asker { answers, last }: Asker<'_>,
     length: f64,
     edges: &[f64],
     middles: &[f64],
 ) -> Result<Vec<f64>, NotIdentified> {
+    let nodes: Vec<Node> = all_nodes(middles.len());
+    let (mut edges, mut middles) = (edges.to_vec(), middles.to_vec());
+    if last == End::Missing {
+        edges.push(1.0);
+        middles.push(1.0);
+    }
     let n = middles.len();
     let layers = Layers {
         step: length,
         last: 1.0,
-        edges: edges.to_vec(),
-        middles: middles.to_vec(),
+        edges,
+        middles,
     };
     let size = answers.emission_max.min(1.0);
     let size = size.min(answers.output.high.map_or(1.0, |high| high / 8.0));
     let mut emission = vec![Emission::even(n, 0.0)];
-    let nodes: Vec<Node> = all_nodes(n);
     emission.extend(nodes.iter().map(|node| impulse(n, *node, size)));
     let ray = session.ray(&layers, &emission);
     let y = session.ask(&ray)?;
@@ -106,23 +133,29 @@ fn weights(
 /// The first segment of two: its weights from a ray of its own, what it lets through from the second's.
 fn triple(
     session: &mut Session<'_>,
-    answers: &Answers,
+    asker: Asker<'_>,
     tolerance: f64,
     length: f64,
     edges: &[f64],
     middles: &[f64],
 ) -> Result<One, NotIdentified> {
-    let first = weights(session, answers, length, &edges[..2], &middles[..1])?;
-    let second = weights(session, answers, length, &edges[1..], &middles[1..])?;
-    let both = weights(session, answers, length, edges, middles)?;
+    let mut first = weights(session, asker, length, &edges[..2], &middles[..1])?;
+    let second = weights(session, asker, length, &edges[1..], &middles[1..])?;
+    let both = weights(session, asker, length, edges, middles)?;
     // Ends come first: of one segment 0, 1 and the middle, of two 0, 1, 2 and the middles.
     let passes = if second[2].abs() > 0.1 * second[1].abs() {
         both[4] / second[2]
     } else {
         both[2] / second[1]
     };
-    let joint = first[1] + passes * second[0];
     let scale = both.iter().map(|w| w.abs()).fold(0.0, f64::max).max(1.0);
+    // Between segments nothing shines that is seen behind the first alone.
+    let behind = first[1] + passes * second[0] - both[1];
+    let walled = (behind - passes).abs() <= tolerance * scale && passes > 8.0 * tolerance * scale;
+    if walled {
+        first[1] -= passes;
+    }
+    let joint = first[1] + passes * second[0];
     let follows = (joint - both[1]).abs() <= tolerance * scale
         && (first[0] - both[0]).abs() <= tolerance * scale
         && (first[2] - both[3]).abs() <= tolerance * scale;
@@ -143,6 +176,7 @@ fn triple(
         length,
         weights: [first[0], first[2], first[1]],
         passes,
+        walled,
     })
 }
 

@@ -144,6 +144,11 @@ impl<'k> Session<'k> {
         self.budget.channels <= 2 * FEW
     }
 
+    /// The most channels of one request.
+    pub(super) fn width(&self) -> usize {
+        self.budget.channels
+    }
+
     /// Whether there are too few rays for all questions.
     pub(super) fn is_short(&self) -> bool {
         self.budget.rays < SHORT

@@ -5,9 +5,11 @@ use super::deviation::right_of;
 use super::ends::{self, Lone, Vacuum};
 use super::influence::{self, Influence};
 use super::opacity::{self, measure::Measurer};
+use super::output::Mapped;
 use super::places::{self, Places, Samples};
-use super::rule::{End, Lattice, Law, Rule, Scheme, Wall, Whole};
+use super::rule::{Channels, End, Lattice, Law, Rule, Scheme, Wall, Whole};
 use super::session::Session;
+use super::state::Name;
 use super::weights::Answers;
 use super::{
     Bracket, Identification, NotIdentified, Parameter, VacuumFails, channels, free_places, holdout,
@@ -28,20 +30,33 @@ pub(super) fn run(
     found: &mut Identification,
 ) -> Result<(), NotIdentified> {
     let lean = session.is_narrow() || session.is_short();
-    let (state, noise) = state::state(session)?;
+    let (state, noise) = state::state(session, &mut found.state)?;
     found.parts.noise = noise;
     found.state = Some(state.clone());
-    let (channels, odd) = channels::channels(session, &state, noise)?;
-    found.not_identified.extend(odd);
+    // In order among 63 they are in order among three: where there are few rays, the ray of the output's map says both.
+    let is_one_ray = session.width() >= output::sizes().len();
+    let asked = if session.is_short() && is_one_ray && noise == 0.0 && !state.seed {
+        channels::in_order(session)
+    } else {
+        None
+    };
+    let channels = if asked.is_some() {
+        Channels::Straight
+    } else {
+        let (channels, odd) = channels::channels(session, &state, noise)?;
+        found.not_identified.extend(odd);
+        channels
+    };
     session.channels = channels;
     found.parts.channels = Some(channels);
-    let mapped = output::output(session, &state, noise)?;
+    let mapped = output::output(session, &state, noise, asked)?;
     let answers = mapped.answers.clone();
     found.brackets.clone_from(&mapped.brackets);
     found.parts.output = Some(answers.output);
     found.parts.unit = Some(answers.unit);
     found.parts.noise = answers.noise;
-    if state.seed {
+    // What the seed changes by next to nothing is no place.
+    if state.seed && noise == 0.0 {
         found.scattered = Some(scattered::scattered(session, &answers)?);
         return Ok(());
     }
@@ -58,11 +73,11 @@ pub(super) fn run(
         ..Rule::default()
     };
     let sampled = match places::places(session, &answers, &even)? {
-        Places::Several => several(session, &answers, &base)?,
+        Places::Several(last) => several(session, &mapped, &base, last)?,
         Places::Samples(samples) => {
             found.parts.place = Some(samples.place);
             match influence::influence(session, &answers, &even, &samples)? {
-                Influence::Several => several(session, &answers, &base)?,
+                Influence::Several => several(session, &mapped, &base, End::Once)?,
                 Influence::Own { whole } => {
                     let measurer = Measurer {
                         answers: &answers,
@@ -70,12 +85,12 @@ pub(super) fn run(
                         whole,
                         subtracts: false,
                     };
-                    one_sample(session, &measurer, &base, found, lean)?
+                    one_sample(session, &measurer, (&mapped, &base), found, lean)?
                 }
             }
         }
     };
-    let fails = sampled.vacuum;
+    let fails = &sampled.vacuum;
     found.parts.vacuum_fails = match (fails.part_fails, fails.whole_fails) {
         (true, _) => Some(VacuumFails::Segment),
         (false, true) => Some(VacuumFails::Ray),
@@ -91,6 +106,7 @@ pub(super) fn run(
         answers: &answers,
         typical: sampled.typical,
         no_vacuum: fails.part_fails,
+        by_name: state.name != Name::Nothing,
         negative: mapped.takes_negative,
         right: (right != sampled.rule).then_some(&right),
     };
@@ -148,15 +164,22 @@ fn look(
 /// The rule of segments with several values.
 fn several(
     session: &mut Session<'_>,
-    answers: &Answers,
+    mapped: &Mapped,
     base: &Rule,
+    last: End,
 ) -> Result<Sampled, NotIdentified> {
+    let answers = &mapped.answers;
+    let (scheme, wall) = segment::segments(session, answers, last)?;
     let mut rule = Rule {
-        scheme: segment::segments(session, answers)?,
+        scheme,
+        wall,
         ..base.clone()
     };
+    rule.sequence.last = last;
     let vacuum = ends::failures(session, 1.0 / 8.0)?;
-    let behind = ends::behind(session, answers, 1.0 / 8.0, &rule, !vacuum.whole_fails)?;
+    let known: Vec<_> = vacuum.dark.iter().chain([&mapped.dark]).collect();
+    let has_vacuum = !vacuum.whole_fails;
+    let behind = ends::behind(session, answers, 1.0 / 8.0, &rule, has_vacuum, &known)?;
     (rule.background, rule.offset) = (behind.background, behind.offset);
     Ok(Sampled {
         rule,
@@ -170,7 +193,7 @@ fn several(
 fn one_sample(
     session: &mut Session<'_>,
     measurer: &Measurer<'_>,
-    base: &Rule,
+    (mapped, base): (&Mapped, &Rule),
     found: &mut Identification,
     lean: bool,
 ) -> Result<Sampled, NotIdentified> {
@@ -229,7 +252,9 @@ fn one_sample(
     }
     rule.sequence = ends::counts(session, &lone, &rule, lean)?;
     let has_vacuum = !vacuum.whole_fails && !vacuum.part_fails;
-    let behind = ends::behind(session, measurer.answers, reference, &rule, has_vacuum)?;
+    let known: Vec<_> = vacuum.dark.iter().chain([&mapped.dark]).collect();
+    let answers = measurer.answers;
+    let behind = ends::behind(session, answers, reference, &rule, has_vacuum, &known)?;
     (rule.background, rule.offset) = (behind.background, behind.offset);
     if behind.background != 0.0 {
         keep(Parameter::Background, behind.of_background);

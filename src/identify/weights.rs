@@ -108,12 +108,21 @@ pub(super) fn impulse(n: usize, node: Node, size: f64) -> Emission {
     emission
 }
 
-/// Copies of each impulse, of sizes that differ by parts of a quantum, where answers are coarse.
+/// The most copies of each impulse, of sizes that differ by parts of a quantum, where answers are coarse: as many as 8 bits
+/// under a cut take.
 const COPIES: usize = 8;
+/// To which part of it the mean of copies is to be known.
+const PART: f64 = 9e-4;
 /// Times that sizes are changed until answers are large and none is cut off.
 const TRIES: usize = 4;
+/// The same for one node where answers are coarse: sizes halve what is left of the range.
+const TRIES_COARSE: usize = 8;
 /// How much of the room under a cut is used.
 const ROOM: f64 = 0.8;
+/// The answers aimed at where none is cut off: so many quanta that each says three more digits.
+const OPEN: f64 = 1024.0;
+/// Answers of fewer quanta say too little to choose a size by.
+const SEEN: f64 = 8.0;
 
 /// The weights of `nodes`; channels asked in the same request may stand `beside`.
 pub(super) fn weights(
@@ -123,54 +132,167 @@ pub(super) fn weights(
     nodes: &[Node],
     beside: &[Emission],
 ) -> Result<Weights, NotIdentified> {
+    if let Some(quantum) = answers.output.quantum {
+        return coarse(session, (answers, quantum), layers, nodes, beside);
+    }
     let high = answers.output.high.unwrap_or(f64::INFINITY);
-    let coarse = answers.is_coarse();
-    let largest = answers.emission_max.min(1e6);
-    let start = if coarse || high.is_infinite() {
-        1.0
-    } else {
-        high / 8.0
-    };
-    let mut sizes = vec![start.min(largest); nodes.len()];
-    let tries = if coarse || high.is_finite() { TRIES } else { 1 };
+    let start = if high.is_infinite() { 1.0 } else { high / 8.0 };
+    let mut sizes = vec![start.min(answers.emission_max); nodes.len()];
+    let tries = if high.is_finite() { TRIES } else { 1 };
     let mut found = None;
-    for attempt in 1..=tries {
-        let copies = if coarse && attempt == tries {
-            COPIES
-        } else {
-            1
-        };
-        let round = measure(session, answers, layers, nodes, &sizes, copies, beside)?;
+    for _ in 0..tries {
+        let impulses = Impulses::once(layers, nodes, &sizes);
+        let round = measure(session, answers, &impulses, beside)?;
         let cut: Vec<bool> = round.largest.iter().map(|y| *y >= high).collect();
-        if coarse {
-            let top = high.min(1e6);
-            let room = if high.is_finite() {
-                ROOM * (top - round.weights.zero.value)
-            } else {
-                ROOM
-            };
-            for (k, size) in sizes.iter_mut().enumerate() {
-                let weight = round.weights.of[k].value;
-                let next = match (cut[k], weight > 0.0) {
-                    (true, _) => *size / 8.0,
-                    (false, true) => room / weight.max(1e-9),
-                    (false, false) => *size * 32.0,
-                };
-                *size = next.clamp(1e-6, largest);
+        found = Some(round.weights);
+        if cut.iter().all(|cut| !cut) {
+            break;
+        }
+        for (size, cut) in sizes.iter_mut().zip(&cut) {
+            if *cut {
+                *size /= 32.0;
             }
-            found = Some(round.weights);
-        } else if cut.iter().any(|cut| *cut) {
-            for (size, cut) in sizes.iter_mut().zip(&cut) {
-                if *cut {
-                    *size /= 32.0;
-                }
-            }
-            found = Some(round.weights);
-        } else {
-            return Ok(round.weights);
         }
     }
     found.ok_or_else(|| NotIdentified::new("weights have no finite answers"))
+}
+
+/// The size of an impulse whose answer is to be large, and none that is cut off.
+#[derive(Clone, Copy)]
+struct Sized {
+    size: f64,
+    /// The largest size at which it was seen too little.
+    low: f64,
+    /// The least one at which its answer was cut off.
+    cut: Option<f64>,
+    /// Nothing is seen of it at the largest size.
+    dark: Option<Measured>,
+    settled: bool,
+}
+
+impl Sized {
+    /// What to ask next, where the answer was off by `weight` times the size.
+    fn next(&mut self, weight: Measured, is_cut: bool, room: f64, quantum: f64, largest: f64) {
+        if is_cut {
+            self.cut = Some(self.size);
+        } else {
+            self.low = self.size;
+            let seen = weight.value * self.size;
+            if seen >= SEEN * quantum || (self.size >= largest && seen > 0.0) {
+                self.settled = true;
+                self.size = (room / weight.value).min(largest);
+                return;
+            }
+            if self.size >= largest {
+                (self.settled, self.dark) = (true, Some(weight));
+                return;
+            }
+            if seen > 0.0 && self.cut.is_none() {
+                // Half of what it seems to need: it is known to half a quantum.
+                self.size = (0.5 * room / weight.value).min(largest);
+                return;
+            }
+        }
+        self.size = match self.cut {
+            None => largest,
+            Some(cut) => (self.low * cut).sqrt(),
+        };
+    }
+}
+
+/// The same where answers are multiples of something: each impulse as large as may be, and copies whose sizes differ by
+/// parts of a quantum.
+fn coarse(
+    session: &mut Session<'_>,
+    (answers, quantum): (&Answers, f64),
+    layers: &Layers,
+    nodes: &[Node],
+    beside: &[Emission],
+) -> Result<Weights, NotIdentified> {
+    let high = answers.output.high.unwrap_or(f64::INFINITY);
+    let largest = answers.emission_max.min(1e6);
+    let mut all = vec![
+        Sized {
+            size: largest.min(1.0),
+            low: 1e-6,
+            cut: None,
+            dark: None,
+            settled: false,
+        };
+        nodes.len()
+    ];
+    let mut room = ROOM;
+    for _ in 0..TRIES_COARSE {
+        let open: Vec<usize> = (0..all.len()).filter(|k| !all[*k].settled).collect();
+        if open.is_empty() {
+            break;
+        }
+        let some: Vec<Node> = open.iter().map(|k| nodes[*k]).collect();
+        let sizes: Vec<f64> = open.iter().map(|k| all[*k].size).collect();
+        let round = measure(
+            session,
+            answers,
+            &Impulses::once(layers, &some, &sizes),
+            &[],
+        )?;
+        room = if high.is_finite() {
+            ROOM * (high - round.weights.zero.value)
+        } else {
+            OPEN * quantum
+        };
+        for (at, k) in open.into_iter().enumerate() {
+            let (weight, is_cut) = (round.weights.of[at], round.largest[at] >= high);
+            all[k].next(weight, is_cut, room, quantum, largest);
+        }
+    }
+    let lit: Vec<usize> = (0..all.len()).filter(|k| all[*k].dark.is_none()).collect();
+    let some: Vec<Node> = lit.iter().map(|k| nodes[*k]).collect();
+    let sizes: Vec<f64> = lit.iter().map(|k| all[*k].size).collect();
+    let impulses = Impulses {
+        copies: copies(room / quantum),
+        apart: quantum / room,
+        ..Impulses::once(layers, &some, &sizes)
+    };
+    let mut found = measure(session, answers, &impulses, beside)?.weights;
+    let mut lit = found.of.into_iter();
+    let of = all.iter().map(|one| one.dark.or_else(|| lit.next()));
+    found.of = of.flatten().collect();
+    Ok(found)
+}
+
+/// How many copies an answer of so many quanta takes: each is off by half a quantum, and their mean by less.
+fn copies(quanta: f64) -> usize {
+    let wanted = (0.5 / quanta / PART)
+        .powi(2)
+        .ceil()
+        .clamp(1.0, COPIES as f64);
+    // Between 1 and the most.
+    #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss)]
+    let wanted = wanted as usize;
+    wanted
+}
+
+/// Emissions in one node each.
+struct Impulses<'a> {
+    layers: &'a Layers,
+    nodes: &'a [Node],
+    sizes: &'a [f64],
+    /// Of each, of sizes that differ.
+    copies: usize,
+    /// By which part of them all copies together do.
+    apart: f64,
+}
+
+impl<'a> Impulses<'a> {
+    fn once(layers: &'a Layers, nodes: &'a [Node], sizes: &'a [f64]) -> Self {
+        Impulses {
+            layers,
+            nodes,
+            sizes,
+            copies: 1,
+            apart: 0.0,
+        }
+    }
 }
 
 struct Round {
@@ -182,16 +304,19 @@ struct Round {
 fn measure(
     session: &mut Session<'_>,
     answers: &Answers,
-    layers: &Layers,
-    nodes: &[Node],
-    sizes: &[f64],
-    copies: usize,
+    impulses: &Impulses<'_>,
     beside: &[Emission],
 ) -> Result<Round, NotIdentified> {
+    let Impulses {
+        layers,
+        nodes,
+        sizes,
+        copies,
+        apart,
+    } = *impulses;
     let n = layers.count();
-    let quantum = answers.output.quantum.unwrap_or(0.0);
     let size = |copy: usize, k: usize| {
-        let part = copy as f64 * quantum / copies as f64 / ROOM;
+        let part = copy as f64 * apart / copies as f64;
         (sizes[k] * (1.0 + part)).min(answers.emission_max)
     };
     let mut emission = vec![Emission::even(n, 0.0)];

@@ -21,28 +21,54 @@ pub(in crate::identify) struct Behind {
 /// Segments.
 const SEGMENTS: usize = 8;
 
-/// Answers behind next to nothing, something, much.
+/// What lets so much more through than another that what shines behind it shows.
+const APART: f64 = 0.5;
+
+/// Whether media that were asked before are dark, and let so different parts through that nothing shines behind a ray.
+fn are_dark(answers: &Answers, rule: &Rule, known: &[&(Layers, f64)]) -> bool {
+    let mut through = Vec::new();
+    for (layers, y) in known {
+        let none = Emission::even(layers.count(), 0.0);
+        let ray = layers.ray(String::new(), &[none]);
+        let composed = rule.composed(&ray.segments, ray.step, crate::real::Native::<f64>::new());
+        let y = answers.radiance(*y);
+        if y.value.abs() > 3.0 * y.error + 1e-14 {
+            return false;
+        }
+        through.push(composed.passes);
+    }
+    let (low, high) = through
+        .iter()
+        .fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), p| {
+            (low.min(*p), high.max(*p))
+        });
+    high - low > APART
+}
+
+/// Answers behind next to nothing, something, much; fewer where those `known` tell that there is nothing.
 pub(in crate::identify) fn behind(
     session: &mut Session<'_>,
     answers: &Answers,
     reference: f64,
     rule: &Rule,
     has_vacuum: bool,
+    known: &[&(Layers, f64)],
 ) -> Result<Behind, NotIdentified> {
+    if session.is_short() && are_dark(answers, rule, known) {
+        return Ok(Behind::default());
+    }
     let unrolled = usize::try_from(rule.sequence.unrolled).unwrap_or(1).max(1);
     let n = SEGMENTS
         .next_multiple_of(unrolled)
         .next_multiple_of(session.multiple);
     let length = 0.25;
-    let mut rows = Vec::new();
+    let mut rows: Vec<(f64, f64, f64)> = Vec::new();
     // Before a wall only what holds nothing lets anything through.
     let least = if has_vacuum { 0.0 } else { 1e-9 * reference };
     let all = [least, 400.0 * reference, 8.0 * reference];
     for tau in all {
         // Two tell that there is nothing.
-        let is_dark = rows
-            .iter()
-            .all(|(_, y, e): &(f64, f64, f64)| y.abs() <= 3.0 * e + 1e-14);
+        let is_dark = rows.iter().all(|(_, y, e)| y.abs() <= 3.0 * e + 1e-14);
         if session.is_short() && rows.len() == 2 && is_dark {
             break;
         }

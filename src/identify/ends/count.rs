@@ -11,14 +11,21 @@ use crate::identify::weights::weights;
 
 /// Numbers of segments whose samples are counted.
 const SMALL: [usize; 5] = [1, 3, 5, 13, 17];
-/// Where loops have fewer questions to spend.
-const LEAN: [usize; 2] = [7, 13];
+/// Where there are fewer questions to spend: of 11 every group leaves a rest of its own that takes all of the 12 of the even
+/// medium.
+const LEAN: [usize; 1] = [11];
+/// Of the even medium.
+const EVEN: usize = 12;
 /// Groups that loops are unrolled by.
 const GROUPS: [u64; 7] = [2, 4, 8, 16, 3, 5, 7];
 /// Segments of a long ray.
 const LONG: usize = 4_300;
 /// Borders looked at in one ray.
 const AT_ONCE: usize = 13;
+/// The same where there are few rays: as many as there are channels.
+const AT_ONCE_SHORT: usize = 60;
+/// The fewest samples beyond which none may be taken where they are looked for in one ray.
+const FEWEST: usize = 16;
 
 /// The sequence with its counts.
 pub(in crate::identify) fn counts(
@@ -63,9 +70,11 @@ pub(in crate::identify) fn counts(
             last: crate::identify::rule::End::Once,
             ..sequence
         });
-        let found = unrolled
-            .into_iter()
-            .find(|s| seen.iter().all(|(n, lit)| expected(s, *n) == *lit));
+        let of_even = expected(&sequence, EVEN);
+        let found = unrolled.into_iter().find(|s| {
+            let explains = seen.iter().all(|(n, lit)| expected(s, *n) == *lit);
+            explains && (!lean || expected(s, EVEN) == of_even)
+        });
         let Some(found) = found else {
             let rows = seen.iter().map(|(n, lit)| vec![*n as f64, *lit as f64]);
             return Err(NotIdentified::new(
@@ -76,7 +85,8 @@ pub(in crate::identify) fn counts(
         sequence = found;
     }
     let by_weight = rule.stop.is_some_and(|stop| stop.by == StopBy::Weight);
-    if !lean && !by_weight {
+    let is_dear = lean && (session.is_narrow() || session.most_samples < LONG);
+    if !is_dear && !by_weight {
         sequence.most = most(session, lone, rule, &sequence)?;
     }
     Ok(sequence)
@@ -144,24 +154,43 @@ fn most(
     let Some(last) = last.filter(|i| *i < n).max() else {
         return Ok(None);
     };
-    if lit(session, &[last])?.first() == Some(&true) {
+    let at_once = if session.is_short() {
+        // One channel holds no emission, and one the last sample's.
+        AT_ONCE_SHORT.min(session.width().saturating_sub(2)).max(2)
+    } else {
+        AT_ONCE
+    };
+    // With few rays the first one asks for the border, too: as finely for small counts as for large ones.
+    let first = if session.is_short() {
+        let ratio = n as f64 / FEWEST as f64;
+        let part = |k: usize| FEWEST as f64 * ratio.powf(k as f64 / at_once as f64);
+        // No more than n.
+        #[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss)]
+        let borders = (0..at_once).map(|k| part(k) as usize);
+        borders.filter(|m| *m < last).chain([last]).collect()
+    } else {
+        vec![last]
+    };
+    let seen = lit(session, &first)?;
+    if seen.last() == Some(&true) {
         return Ok(None);
     }
+    let narrow = |(low, high): (usize, usize), borders: &[usize], seen: &[bool]| {
+        let far = borders.iter().zip(seen).filter(|(_, lit)| **lit);
+        let low = far.map(|(m, _)| *m).max().unwrap_or(low);
+        let dark = borders.iter().zip(seen);
+        let dark = dark.filter(|(m, lit)| !**lit && **m > low);
+        (low, dark.map(|(m, _)| *m).min().unwrap_or(high))
+    };
+    (low, high) = narrow((low, high), &first, &seen);
     while high - low > 1 {
-        let parts = (high - low).min(AT_ONCE);
+        let parts = (high - low).min(at_once);
         let borders: Vec<usize> = (1..parts).map(|k| low + (high - low) * k / parts).collect();
         if borders.is_empty() {
             break;
         }
         let seen = lit(session, &borders)?;
-        let far = borders.iter().zip(&seen).filter(|(_, lit)| **lit);
-        let far = far.map(|(m, _)| *m).max();
-        low = far.unwrap_or(low);
-        let dark = borders
-            .iter()
-            .zip(&seen)
-            .filter(|(m, lit)| !**lit && **m > low);
-        high = dark.map(|(m, _)| *m).min().unwrap_or(high);
+        (low, high) = narrow((low, high), &borders, &seen);
     }
     // Dark because little is left there anyway.
     let (weight, passes) = lone.of(tau, 0.25, ray_length);

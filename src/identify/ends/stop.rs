@@ -22,6 +22,8 @@ const LEAST: f64 = 1e-13;
 const ROUNDS: usize = 14;
 /// A bracket wider than this says no number.
 const LOOSE: f64 = 1e-2;
+/// Samples of a ray behind those that ask: where the last of all decides, nobody knows that it does.
+const BEYOND: usize = 2;
 /// Bracket's width that is fine enough.
 const FINE: f64 = 1e-8;
 
@@ -35,6 +37,8 @@ struct Trial {
     last: usize,
     /// What it was seen to weigh.
     seen: Measured,
+    /// What all samples were seen to weigh, along the ray.
+    all: Vec<Measured>,
 }
 
 /// A reading of what decides.
@@ -135,7 +139,7 @@ pub(in crate::identify) fn early_end(
             bracket,
         }));
     }
-    let fine_enough = FINE + 64.0 * lone.measurer.answers.unit;
+    let fine_enough = fine_enough(lone);
     let mut stuck = [false; READINGS.len()];
     for _ in 0..ROUNDS {
         // Every reading that is left is put to the test, until it breaks or is sharp.
@@ -177,7 +181,7 @@ pub(in crate::identify) fn early_end(
         )));
     }
     let under = simplest_threshold((low, high));
-    let renormalised = renormalised(session, lone, tau, n, length)?;
+    let renormalised = renormalised(lone, &trials[0], tau, n, length)?;
     Ok(Some(Early {
         stop: Stop {
             by: reading.by,
@@ -280,8 +284,13 @@ fn trial(
     let ray = n as f64 * length;
     let sequence = lone.measurer.samples.sequence;
     // Samples in the order in which they are taken, whatever end that is.
-    let w = lone.measurer.weights(session, taus, length)?;
     let order = order(&sequence, n);
+    let is_coarse = lone.measurer.answers.is_coarse();
+    let w = if is_coarse {
+        Vec::new()
+    } else {
+        lone.measurer.weights(session, taus, length)?
+    };
     let (mut after, mut weights) = (Vec::new(), Vec::new());
     // One sample too many stands in front of all at the back of segments.
     let is_behind = lone.measurer.samples.place == Place::Back && sequence.extra.is_some();
@@ -296,14 +305,25 @@ fn trial(
         passes *= through;
         after.push(passes);
     }
-    let lit = |k: &usize| w[*k].value.abs() > 3.0 * w[*k].error;
-    let last = order.iter().rposition(lit).unwrap_or(0);
-    let seen = w[order[last]];
+    let (last, seen) = if is_coarse {
+        let last = lone.measurer.last_lit(session, taus, length, &order)?;
+        // How much it weighs is not asked.
+        let seen = Measured {
+            value: weights.get(last).copied().unwrap_or(f64::NAN),
+            error: f64::INFINITY,
+        };
+        (last, seen)
+    } else {
+        let lit = |k: &usize| w[*k].value.abs() > 3.0 * w[*k].error;
+        let last = order.iter().rposition(lit).unwrap_or(0);
+        (last, w[order[last]])
+    };
     Ok(Trial {
         after,
         weights,
         last,
         seen,
+        all: w,
     })
 }
 
@@ -326,16 +346,37 @@ fn order(sequence: &Sequence, n: usize) -> Vec<usize> {
     all.collect()
 }
 
+/// Numbers from under `high` down to `low`, each the same part of the one before, but for two about the simplest threshold
+/// that lies between: most thresholds are round.
+fn levels(high: f64, low: f64, count: usize, within: f64) -> Vec<f64> {
+    let guess = simplest_threshold((low, high));
+    let (over, under) = (guess * (1.0 + within), guess * (1.0 - within));
+    let even = |from: f64, to: f64, count: usize| {
+        let step = (to / from).powf(1.0 / count.max(1) as f64);
+        (1..=count).map(move |k| from * step.powf(k as f64))
+    };
+    if !(over < high && under > low && count > 4) {
+        return even(high, low, count).collect();
+    }
+    // As many on either side as it is wide.
+    let (above, below) = ((high / over).ln(), (under / low).ln());
+    let above = whole(above / (above + below) * (count - 2) as f64).clamp(1, count - 2);
+    let falling = even(high, over, above).chain([under]);
+    falling.chain(even(under, low, count - 1 - above)).collect()
+}
+
 /// A few thick segments to just above the bracket, then thin ones through it.
 fn fine(lone: &Lone<'_>, n: usize, length: f64, low: f64, high: f64) -> Option<Vec<f64>> {
     let ray = n as f64 * length;
     // Above 1 is where nothing is absorbed.
     let high = high.min(1.0 - 1e-9);
     let lead = 1 + whole(-high.ln() / 0.4);
-    let rest = n.checked_sub(lead + 1).filter(|rest| *rest > 8)?;
-    let step = (low / high).powf(1.0 / (rest - 1) as f64);
-    let lead_tau = lone.invert(high.powf(1.0 / lead as f64), length, ray);
-    let fine_tau = lone.invert(step, length, ray);
+    let rest = n.checked_sub(lead + BEYOND + 2).filter(|rest| *rest > 8)?;
+    // One sample too many at the back of segments stands in front of all.
+    let samples = lone.measurer.samples;
+    let is_behind = samples.place == Place::Back && samples.sequence.extra.is_some();
+    let ahead = lead + usize::from(is_behind && !samples.sequence.swapped);
+    let lead_tau = lone.invert(high.powf(1.0 / ahead as f64), length, ray);
     let near = lone.measurer.near_end();
     let mut taus = Vec::new();
     if near != crate::identify::rule::End::Once {
@@ -343,7 +384,17 @@ fn fine(lone: &Lone<'_>, n: usize, length: f64, low: f64, high: f64) -> Option<V
         taus.push(1e-12 * lone.reference(length));
     }
     taus.extend(vec![lead_tau; lead]);
-    taus.resize(n, fine_tau);
+    // By a weight, the ray ends here: later ones are not as small.
+    let least = f64::max(1e-12, 256.0 * lone.measurer.answers.unit);
+    taus.push(least * lone.reference(length));
+    // Each from where the one before has come.
+    let mut passes = lone.of(lead_tau, length, ray).1.powf(ahead as f64);
+    for level in levels(high, low, rest, within(lone)) {
+        let tau = lone.invert((level / passes).min(1.0), length, ray);
+        taus.push(tau);
+        passes *= lone.of(tau, length, ray).1;
+    }
+    taus.resize(n, taus.last().copied().unwrap_or(lead_tau));
     Some(taus)
 }
 
@@ -351,17 +402,28 @@ fn fine(lone: &Lone<'_>, n: usize, length: f64, low: f64, high: f64) -> Option<V
 fn falling(lone: &Lone<'_>, n: usize, length: f64, low: f64, high: f64) -> Option<Vec<f64>> {
     let ray = n as f64 * length;
     let high = high.min(0.3);
-    let ratio = (low / high).powf(1.0 / (n - 2) as f64);
-    let (mut passes, mut target) = (1.0, high);
+    let mut passes = 1.0;
     let mut taus = Vec::new();
-    for _ in 0..n {
+    let low = low.min(high);
+    let all = levels(high, low, n.saturating_sub(BEYOND), within(lone));
+    let beyond = (1..=BEYOND).map(|k| low * 0.9_f64.powf(k as f64));
+    for target in all.into_iter().chain(beyond) {
         // w with T w = target.
         let tau = lone.with_weight(target / passes, length, ray)?;
         taus.push(tau);
         passes *= lone.of(tau, length, ray).1;
-        target *= ratio;
     }
     Some(taus)
+}
+
+/// How near to a threshold that is guessed it is asked: nearer than a bracket has to be.
+fn within(lone: &Lone<'_>) -> f64 {
+    fine_enough(lone) / 4.0
+}
+
+/// A bracket's width that is narrow enough.
+fn fine_enough(lone: &Lone<'_>) -> f64 {
+    FINE + 64.0 * lone.measurer.answers.unit
 }
 
 /// A number of segments.
@@ -372,15 +434,25 @@ fn whole(x: f64) -> usize {
     count
 }
 
-/// Whether weights of a ray that ends early are divided by its opacity.
+/// Whether weights of an even ray that ends early are divided by its opacity.
 fn renormalised(
-    session: &mut Session<'_>,
     lone: &Lone<'_>,
+    trial: &Trial,
     tau: f64,
     n: usize,
     length: f64,
 ) -> Result<bool, NotIdentified> {
-    let found = trial_weights(session, lone, &vec![tau; n], length)?;
+    if lone.measurer.answers.is_coarse() {
+        return Ok(false);
+    }
+    let lit = |w: &Measured| {
+        if w.value.abs() > 3.0 * w.error {
+            w.value
+        } else {
+            0.0
+        }
+    };
+    let found: Vec<f64> = trial.all.iter().map(lit).collect();
     let ray = n as f64 * length;
     let (weight, passes) = lone.of(tau, length, ray);
     let skipped = usize::from(lone.measurer.samples.sequence.late);
@@ -402,7 +474,7 @@ fn renormalised(
     let slack = 1e-6 + 64.0 * lone.measurer.answers.unit;
     let first = lone.measurer.samples.sequence.first;
     let is_plain = first == crate::identify::rule::End::Once;
-    if lone.measurer.answers.is_coarse() || !is_plain || (factor - 1.0).abs() <= slack {
+    if !is_plain || (factor - 1.0).abs() <= slack {
         return Ok(false);
     }
     if (factor * (1.0 - end) - 1.0).abs() <= slack {
@@ -411,21 +483,4 @@ fn renormalised(
     Err(NotIdentified::new(format!(
         "the weights of a ray that ends early are multiplied by {factor:.9}"
     )))
-}
-
-fn trial_weights(
-    session: &mut Session<'_>,
-    lone: &Lone<'_>,
-    taus: &[f64],
-    length: f64,
-) -> Result<Vec<f64>, NotIdentified> {
-    let w = lone.measurer.weights(session, taus, length)?;
-    let lit = |w: &Measured| {
-        if w.value.abs() > 3.0 * w.error {
-            w.value
-        } else {
-            0.0
-        }
-    };
-    Ok(w.iter().map(lit).collect())
 }

@@ -7,7 +7,7 @@ use crate::identify::ray::{Emission, Layers};
 use crate::identify::session::{Session, Silence};
 
 /// What empty segments do.
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
+#[derive(Clone, Debug, Default)]
 pub(in crate::identify) struct Vacuum {
     /// What is added to what a segment lets through.
     pub(in crate::identify) eps: f64,
@@ -17,6 +17,8 @@ pub(in crate::identify) struct Vacuum {
     pub(in crate::identify) whole_fails: bool,
     /// A ray with an empty segment has none.
     pub(in crate::identify) part_fails: bool,
+    /// A ray that holds nothing, and its answer without emission.
+    pub(in crate::identify) dark: Option<(Layers, f64)>,
 }
 
 /// Empty segments of the ray that shows what they let through.
@@ -40,8 +42,11 @@ pub(in crate::identify) fn vacuum(
     let Ok(w) = measurer.weights_of(session, &taus, 0.25, &tells) else {
         return failures(session, tau);
     };
+    let empty = Layers::of(0.25, &vec![0.0; n]);
+    let dark = answered(session, &empty)?;
     let mut vacuum = Vacuum {
-        whole_fails: !is_answered(session, &Layers::of(0.25, &vec![0.0; n]))?,
+        whole_fails: dark.is_none(),
+        dark: dark.map(|dark| (empty, dark)),
         ..Vacuum::default()
     };
     if !(w[1].value > 0.0 && w[2].value > 0.0 && w[n - 2].value > 0.0) {
@@ -70,13 +75,17 @@ pub(in crate::identify) fn vacuum(
     Ok(vacuum)
 }
 
-/// Whether light along a medium has a finite answer.
-fn is_answered(session: &mut Session<'_>, layers: &Layers) -> Result<bool, NotIdentified> {
-    let ray = session.ray(layers, &[Emission::even(layers.count(), 0.5)]);
+/// The answer to no emission, where light along a medium has a finite answer.
+fn answered(session: &mut Session<'_>, layers: &Layers) -> Result<Option<f64>, NotIdentified> {
+    let n = layers.count();
+    let ray = session.ray(layers, &[Emission::even(n, 0.5), Emission::even(n, 0.0)]);
     match session.ask_any(&ray) {
-        Ok(y) => Ok(y.iter().all(|y| y.is_finite())),
+        Ok(y) => Ok(y
+            .last()
+            .copied()
+            .filter(|_| y.iter().all(|y| y.is_finite()))),
         // A division by nothing may be an error as well.
-        Err(Silence::Kernel { .. }) => Ok(false),
+        Err(Silence::Kernel { .. }) => Ok(None),
         Err(silence) => Err(silence.into()),
     }
 }
@@ -96,11 +105,12 @@ pub(in crate::identify) fn failures(
         if !is_whole {
             layers.edges[3] = 0.0;
         }
-        let finite = is_answered(session, &layers)?;
+        let dark = answered(session, &layers)?;
         if is_whole {
-            vacuum.whole_fails = !finite;
+            vacuum.whole_fails = dark.is_none();
+            vacuum.dark = dark.map(|dark| (layers, dark));
         } else {
-            vacuum.part_fails = !finite;
+            vacuum.part_fails = dark.is_none();
         }
     }
     Ok(vacuum)

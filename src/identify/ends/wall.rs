@@ -3,12 +3,15 @@
 use super::Lone;
 use crate::identify::NotIdentified;
 use crate::identify::number::simplest;
-use crate::identify::rule::{End, Wall, Whole};
+use crate::identify::ray::Layers;
+use crate::identify::rule::{End, Place, Wall, Whole};
 use crate::identify::session::Session;
-use crate::identify::weights::Measured;
+use crate::identify::weights::{Measured, nodes_of, weights};
 
 /// Extinctions of the last segment, from one that a wall of any length is opaque at.
 const EXTINCTIONS: [f64; 6] = [1.0, 1e-3, 1e-6, 1e-9, 1e-12, 0.0];
+/// Those asked where there are few rays.
+const FEW: [f64; 4] = [1.0, 1e-6, 1e-12, 0.0];
 /// Segments.
 const SEGMENTS: usize = 6;
 
@@ -44,6 +47,31 @@ fn whole_of(lone: &Lone<'_>, w: &[Measured], taus: &[f64], length: f64) -> Optio
     found.map(|(whole, _)| *whole)
 }
 
+/// Those that are asked.
+fn extinctions(session: &Session<'_>) -> &'static [f64] {
+    if session.is_short() {
+        &FEW
+    } else {
+        &EXTINCTIONS
+    }
+}
+
+/// Weights of samples at all ends of segments, by their extinctions.
+fn with_extra(
+    session: &mut Session<'_>,
+    lone: &Lone<'_>,
+    taus: &[f64],
+    length: f64,
+) -> Result<Vec<Measured>, NotIdentified> {
+    let n = taus.len() - 1;
+    let layers = Layers {
+        edges: taus.to_vec(),
+        ..Layers::of(length, &taus[..n])
+    };
+    let nodes = nodes_of(Place::Front, n, true);
+    Ok(weights(session, lone.measurer.answers, &layers, &nodes, &[])?.of)
+}
+
 /// The kind of the wall, and its length's bracket.
 pub(in crate::identify) fn wall(
     session: &mut Session<'_>,
@@ -53,15 +81,29 @@ pub(in crate::identify) fn wall(
     let length = 0.25;
     let tau = lone.reference(length);
     let ray = n as f64 * length;
-    let missing = lone.measurer.samples.sequence.last == End::Missing;
-    let last = n - 1 - usize::from(missing);
-    let mut rows = Vec::new();
-    let mut parts = Vec::new();
+    let sequence = &lone.measurer.samples.sequence;
+    // One sample too many at the front of segments is the one that stands before the wall.
+    let is_extra = lone.measurer.samples.place == Place::Front && sequence.extra.is_some();
+    if is_extra && sequence.swapped {
+        return Err(NotIdentified::new(
+            "the last sample of a turned ray with one too many weighs more than its segment",
+        ));
+    }
+    let last = if is_extra {
+        n
+    } else {
+        n - 1 - usize::from(sequence.last == End::Missing)
+    };
+    let mut parts: Vec<(f64, f64, f64)> = Vec::new();
     let mut open = None;
-    for extinction in EXTINCTIONS {
-        let mut taus = vec![tau; n];
+    for &extinction in extinctions(session) {
+        let mut taus = vec![tau; n + usize::from(is_extra)];
         taus[last] = extinction;
-        let w = lone.measurer.weights(session, &taus, length)?;
+        let w = if is_extra {
+            with_extra(session, lone, &taus, length)?
+        } else {
+            lone.measurer.weights(session, &taus, length)?
+        };
         // The one before the last weighs T α, and T p stands before the last.
         let (weight, passes) = lone.of(tau, length, ray);
         let before = w[last - 1].value / weight * passes * lone.law.scale.0;
@@ -70,9 +112,12 @@ pub(in crate::identify) fn wall(
         if extinction == 0.0 {
             open = whole_of(lone, &w, &taus, length);
         }
-        rows.push(vec![extinction, part, error]);
         parts.push((extinction, part, error));
     }
+    let rows = parts
+        .iter()
+        .map(|(tau, part, error)| vec![*tau, *part, *error])
+        .collect();
     let failed =
         NotIdentified::new("the last sample weighs more than its segment, by no known law")
             .with_rows(&["its extinction", "its weight", "error"], rows);
@@ -87,7 +132,10 @@ pub(in crate::identify) fn wall(
             whole: None,
         });
     }
-    let (empty, full) = (&parts[5], &parts[..5]);
+    // The last holds nothing.
+    let Some((empty, full)) = parts.split_last() else {
+        return Err(failed);
+    };
     if full.iter().all(is_one) && is_none(empty) {
         return Ok(Walled {
             wall: Wall::Opaque,

@@ -23,7 +23,9 @@ pub(in crate::identify) fn check_opacity(
     let composed = rule.composed(segments, step, Native::<f64>::new());
     let n = segments.count() as f64;
     let quantum = rule.output.quantum.unwrap_or(0.0);
-    let allowed = answers.unit * (64.0 + 8.0 * n) + answers.noise + quantum;
+    // What segments let through may be followed to no more than a grain each.
+    let allowed = (answers.unit * 8.0 + answers.grain) * n;
+    let allowed = allowed + answers.unit * 64.0 + answers.noise + quantum;
     let want = 1.0 - composed.passes;
     let off = (got - want).abs();
     check.answered += 1;

@@ -31,7 +31,8 @@ pub(super) fn about_the_end(
         segments: [16, 24],
         ..USUAL
     };
-    for _ in 0..2 {
+    let shapes = if session.is_short() { 1 } else { 2 };
+    for _ in 0..shapes {
         let shape = ray(session, random, make, (false, 0), terms);
         let scaled = |scale: f64| {
             let mut ray = shape.clone();

@@ -105,6 +105,8 @@ pub(super) struct Terms<'a> {
     pub(super) typical: f64,
     /// Rays with empty segments have no answer.
     pub(super) no_vacuum: bool,
+    /// A ray of the name of another has another answer, as is said beside the rule.
+    pub(super) by_name: bool,
     /// It takes negative emissions.
     pub(super) negative: bool,
     /// The rule that is to be named for deviating from this one.
@@ -131,6 +133,7 @@ pub(super) fn hold_out(
         );
         if (has_gaps && terms.no_vacuum)
             || (make.what == What::Negative && !terms.negative)
+            || (make.what == What::OneName && terms.by_name)
             || (session.is_short() && !CORE.contains(&make.name))
             // Quadratures inside segments have their own end; between nodes a wall is a slope.
             || (make.what == What::Opaque(WALL)
@@ -202,8 +205,11 @@ pub(super) fn hold_out(
         }
     }
     if rule.stop.is_some() {
-        let kind = about_the_end(session, rule, terms, &mut random, &mut out.misses)?;
-        out.kinds.extend((kind.rays > 0).then_some(kind));
+        match about_the_end(session, rule, terms, &mut random, &mut out.misses) {
+            Ok(kind) => out.kinds.extend((kind.rays > 0).then_some(kind)),
+            Err(Silence::Budget(_)) if out.kinds.len() >= FEWEST => return Ok(out),
+            Err(silence) => return Err(silence),
+        }
     }
     let precision = Precision::of(&answers);
     if 2.0 * precision.unit() < terms.answers.unit {

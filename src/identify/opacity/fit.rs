@@ -177,11 +177,18 @@ pub(in crate::identify) fn laws(points: &[Point], eps: f64, answers: &Answers) -
         worst: WORST.max(200.0 * answers.unit.max(answers.grain)).min(0.3),
         best: (4.0 * answers.noise + answers.grain).max(1e-16),
     };
-    for (shape, depth, bracket) in passing(points, eps, known) {
+    let bare = passing(points, eps, known).into_iter().map(|p| (p, 1.0));
+    let covered = cover(points).into_iter().flat_map(|cover| {
+        let bare: Vec<Point> = points.iter().map(|p| uncovered(p, cover)).collect();
+        let all = passing(&bare, eps, known).into_iter();
+        all.map(move |passing| (passing, cover))
+    });
+    for ((shape, depth, bracket), cover) in bare.chain(covered) {
         let base = Law {
             depth,
             shape,
             eps,
+            cover: Scale(cover),
             ..Law::default()
         };
         for (weight, scale, of_scale) in weighing(&base, points, known) {
@@ -210,6 +217,35 @@ pub(in crate::identify) fn laws(points: &[Point], eps: f64, answers: &Answers) -
         shares.then(words(&u.law).cmp(&words(&v.law)))
     });
     all
+}
+
+/// Thick segments whose opacities agree to this part of them are as opaque as any is.
+const FLAT: f64 = 1e-7;
+/// An opacity of thick segments above this is 1, or 1 less what they let through.
+const OPAQUE: f64 = 0.999;
+
+/// What every opacity may have been multiplied by: the largest one, where thick segments have it all alike.
+fn cover(points: &[Point]) -> Option<f64> {
+    let known = points.iter().filter(|p| p.passes.error < FLAT);
+    let mut opacities: Vec<f64> = known.map(|p| 1.0 - p.passes.value).collect();
+    opacities.retain(|opacity| opacity.is_finite());
+    opacities.sort_by(|u, v| v.total_cmp(u));
+    let [first, second, ..] = opacities[..] else {
+        return None;
+    };
+    let is_flat = first - second <= FLAT * first && first > FLAT && first < OPAQUE;
+    is_flat.then(|| simplest(first * (1.0 - 1e-12), first * (1.0 + FLAT)))
+}
+
+/// What a segment would let through if its opacity were multiplied by nothing.
+fn uncovered(point: &Point, cover: f64) -> Point {
+    Point {
+        passes: Measured {
+            value: 1.0 - (1.0 - point.passes.value) / cover,
+            error: point.passes.error / cover,
+        },
+        ..*point
+    }
 }
 
 fn noisy(m: Measured, noise: f64) -> Measured {
@@ -241,7 +277,9 @@ fn words(law: &Law) -> usize {
     }
     .is_plain();
     let shape = usize::from(law.shape != Shape::Exponential);
-    form + shape + 2 * usize::from(!is_plain) + usize::from((law.scale.0 - 1.0).abs() > 0.0)
+    let factors = [law.scale, law.cover];
+    let factors = factors.iter().filter(|f| (f.0 - 1.0).abs() > 0.0).count();
+    form + shape + 2 * usize::from(!is_plain) + factors
 }
 
 fn round(share: f64) -> f64 {

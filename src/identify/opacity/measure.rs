@@ -3,6 +3,7 @@
 use crate::identify::NotIdentified;
 use crate::identify::influence::layers_at;
 use crate::identify::places::Samples;
+use crate::identify::ray::{Emission, Layers};
 use crate::identify::rule::{End, Node, Place, Whole};
 use crate::identify::session::Session;
 use crate::identify::weights::{Answers, Measured, nodes_of, weights};
@@ -26,6 +27,8 @@ pub(in crate::identify) struct Reference {
     pub(in crate::identify) extinction: f64,
     /// What they are weighed by, of a ray of references alone.
     own: Measured,
+    /// What they let through there.
+    through: Measured,
 }
 
 /// How samples are measured.
@@ -49,6 +52,21 @@ pub(in crate::identify) struct Asked {
     weights: Vec<Measured>,
 }
 
+/// What was not asked.
+const UNKNOWN: Measured = Measured {
+    value: f64::NAN,
+    error: f64::INFINITY,
+};
+
+/// One weight by another.
+fn ratio(one: Measured, other: Measured) -> Measured {
+    let value = one.value / other.value;
+    let error = one.error / other.value.abs() + (value * other.error / other.value).abs();
+    Measured { value, error }
+}
+
+/// The depth of references differs by more than this part where it depends on the length of the ray.
+const OTHER: f64 = 0.01;
 /// The depth of references.
 const DEPTH: f64 = 1.0 / 32.0;
 /// References before the first extinction where all is in order; and where the first samples are not.
@@ -77,6 +95,66 @@ impl Measurer<'_> {
         wanted: &dyn Fn(usize) -> bool,
     ) -> Result<Vec<Measured>, NotIdentified> {
         let n = taus.len();
+        let (layers, nodes) = self.samples_of(taus, length);
+        let is_asked = |k: &usize| !session.is_narrow() || wanted(*k);
+        let asked: Vec<(usize, Node)> = nodes.into_iter().filter(|(k, _)| is_asked(k)).collect();
+        let nodes: Vec<Node> = asked.iter().map(|(_, node)| *node).collect();
+        let found = weights(session, self.answers, &layers, &nodes, &[])?;
+        let mut of = vec![UNKNOWN; n];
+        for ((k, _), w) in asked.iter().zip(&found.of) {
+            of[*k] = *w;
+        }
+        // What stands beside much that is no emission's is known no better.
+        let beside = 16.0 * self.answers.unit * found.zero.value.abs();
+        for w in &mut of {
+            w.error += beside;
+        }
+        Ok(of)
+    }
+
+    /// The place in `order`, in which the kernel takes samples, of the last one from which on emission shows. Emission behind
+    /// as many samples as a request takes is asked at once; where answers are coarse it is as bright as may be.
+    pub(in crate::identify) fn last_lit(
+        &self,
+        session: &mut Session<'_>,
+        taus: &[f64],
+        length: f64,
+        order: &[usize],
+    ) -> Result<usize, NotIdentified> {
+        let n = taus.len();
+        let size = self.answers.emission_max.min(1e6);
+        let (layers, nodes) = self.samples_of(taus, length);
+        let node = |k: &usize| nodes.iter().find(|(at, _)| at == k).map(|(_, node)| *node);
+        let at_once = if session.is_narrow() { 2 } else { n };
+        // Behind all samples nothing shows.
+        let (mut low, mut high) = (0, order.len());
+        while high - low > 1 {
+            let parts = (high - low).min(at_once + 1);
+            let borders: Vec<usize> = (1..parts).map(|k| low + (high - low) * k / parts).collect();
+            let mut emission = vec![Emission::even(n, 0.0)];
+            for border in &borders {
+                let mut behind = Emission::even(n, 0.0);
+                for node in order[*border..].iter().filter_map(node) {
+                    *behind.at_mut(node) = size;
+                }
+                emission.push(behind);
+            }
+            let ray = session.ray(&layers, &emission);
+            let y = session.ask(&ray)?;
+            let shows = |y_behind: &f64| y_behind.to_bits() != y[0].to_bits();
+            let first_dark = y[1..].iter().position(|y| !shows(y));
+            let lit = first_dark.unwrap_or(borders.len());
+            if let Some(border) = lit.checked_sub(1) {
+                low = borders[border];
+            }
+            high = borders.get(lit).copied().unwrap_or(high);
+        }
+        Ok(low)
+    }
+
+    /// The medium of those extinctions along the way that the kernel takes, and the node of each.
+    fn samples_of(&self, taus: &[f64], length: f64) -> (Layers, Vec<(usize, Node)>) {
+        let n = taus.len();
         let place = self.samples.place;
         let extra = self.samples.sequence.extra.is_some();
         let swapped = self.samples.sequence.swapped;
@@ -98,29 +176,7 @@ impl Measurer<'_> {
         } else {
             (0..n).collect()
         };
-        let is_asked = |k: &usize| !session.is_narrow() || wanted(*k);
-        let asked: Vec<(usize, Node)> = places
-            .iter()
-            .zip(nodes)
-            .filter(|(k, _)| is_asked(k))
-            .map(|(k, node)| (*k, node))
-            .collect();
-        let nodes: Vec<Node> = asked.iter().map(|(_, node)| *node).collect();
-        let found = weights(session, self.answers, &layers, &nodes, &[])?;
-        let unknown = Measured {
-            value: f64::NAN,
-            error: f64::INFINITY,
-        };
-        let mut of = vec![unknown; n];
-        for ((k, _), w) in asked.iter().zip(&found.of) {
-            of[*k] = *w;
-        }
-        // What stands beside much that is no emission's is known no better.
-        let beside = 16.0 * self.answers.unit * found.zero.value.abs();
-        for w in &mut of {
-            w.error += beside;
-        }
-        Ok(of)
+        (layers, places.into_iter().zip(nodes).collect())
     }
 
     /// n rounded up to what the kernel takes whole.
@@ -152,10 +208,8 @@ impl Measurer<'_> {
         let mut found = Reference {
             length,
             extinction,
-            own: Measured {
-                value: f64::NAN,
-                error: f64::INFINITY,
-            },
+            own: UNKNOWN,
+            through: UNKNOWN,
         };
         let mut before: Option<(f64, f64)> = None;
         for _ in 0..10 {
@@ -163,6 +217,7 @@ impl Measurer<'_> {
             let w = self.weights_of(session, &vec![extinction; n], length, &|k| k < 4)?;
             found.extinction = extinction;
             found.own = self.own(&w, n);
+            found.through = ratio(w[3], w[2]);
             let got = if w[2].value > 0.0 && w[3].value > 0.0 {
                 (w[2].value / w[3].value).ln()
             } else {
@@ -270,15 +325,9 @@ impl Measurer<'_> {
         let mut w = asked.weights.clone();
         let (at, lead, n, count) = (&asked.at, asked.lead, w.len(), extinctions.len());
         self.add_rounding(&mut w, at, reference.own.value);
-        let ratio = |k: usize, by: usize| {
-            let (one, other) = (w[k], w[by]);
-            let value = one.value / other.value;
-            let error = one.error / other.value.abs() + (value * other.error / other.value).abs();
-            Measured { value, error }
-        };
+        let ratio = |k: usize, by: usize| ratio(w[k], w[by]);
         let through = self.through(&w, at, lead, count);
-        // From a ray of its own: a factor of the whole ray falls out.
-        let own = reference.own;
+        let own = self.own_of(reference, &w, lead, through);
         let ray = n as f64 * reference.length;
         let unit = self.answers.unit;
         let mut points: Vec<Point> = at
@@ -291,10 +340,7 @@ impl Measurer<'_> {
                 let step = ratio(at, prior);
                 let square = through.value * through.value;
                 let across = ratio(after, prior);
-                let nan = Measured {
-                    value: f64::NAN,
-                    error: f64::INFINITY,
-                };
+                let nan = UNKNOWN;
                 let weight = Measured {
                     value: step.value * own.value / through.value,
                     error: (step.error * own.value / through.value).abs()
@@ -369,6 +415,32 @@ impl Measurer<'_> {
         Measured {
             value: sum / worth,
             error: worth.sqrt().recip() + self.answers.unit,
+        }
+    }
+
+    /// The weight of a reference behind nothing: from a ray of its own, so that a factor of the whole ray falls out; but
+    /// from this ray where references let other parts through on rays of other lengths.
+    fn own_of(
+        &self,
+        reference: &Reference,
+        w: &[Measured],
+        lead: usize,
+        through: Measured,
+    ) -> Measured {
+        let alone = reference.through;
+        let off = (through.value - alone.value).abs();
+        let lost = (1.0 - alone.value).abs();
+        let is_same = off.is_nan() || off <= 3.0 * (through.error + alone.error) + OTHER * lost;
+        let is_plain = self.whole == Whole::One && lead == LEAD / 2;
+        if is_same || !is_plain {
+            return reference.own;
+        }
+        let steps = lead as f64 - 1.0;
+        let value = w[lead - 1].value / through.value.powf(steps);
+        let part = w[lead - 1].error / w[lead - 1].value.abs();
+        Measured {
+            value,
+            error: value.abs() * (part + steps * through.error / through.value),
         }
     }
 

@@ -61,6 +61,9 @@ const LENGTHS: [f64; 4] = [0.25, 1.0, 0.0625, 0.7];
 const REACH: [f64; 2] = [1e-6, 0.3];
 /// Extinctions of the longest rays.
 const MANY: usize = 18;
+/// The parts of it that are asked where answers are coarse and every channel costs: mostly such as absorb enough to be told
+/// from nothing; and the same at every other length.
+const COARSE: [&[f64]; 2] = [&[1e-5, 1e-3, 0.2, 0.3, 0.4, 0.6], &[1e-3, 0.3, 0.7]];
 /// Depths of thick segments, by length: those that share a ray let enough through together. The thickest one comes first: it
 /// shows most of how transmittances are rounded.
 const THICK: [(f64, &[&[f64]]); 2] = [
@@ -166,13 +169,19 @@ pub(super) fn measure(
     let mut points = Vec::new();
     let mut references = Vec::new();
     let lengths = if lean { &LENGTHS[..2] } else { &LENGTHS };
+    let is_dear = session.is_narrow() && measurer.answers.is_coarse();
     for (k, &length) in lengths.iter().enumerate() {
         let reference = measurer.reference(session, length)?;
         // Rays of other numbers of segments tell what depends on the ray's length.
-        let count = if k % 2 == 0 { MANY } else { MANY - 7 };
-        let [low, high] = REACH.map(|part| part * reference.extinction * 32.0);
-        let taus = (0..count).map(|k| low * (high / low).powf(k as f64 / (count - 1) as f64));
-        let taus: Vec<f64> = taus.collect();
+        let typical = reference.extinction * 32.0;
+        let taus: Vec<f64> = if is_dear {
+            COARSE[k % 2].iter().map(|part| part * typical).collect()
+        } else {
+            let count = if k % 2 == 0 { MANY } else { MANY - 7 };
+            let [low, high] = REACH.map(|part| part * typical);
+            let tau = |k: usize| low * (high / low).powf(k as f64 / (count - 1) as f64);
+            (0..count).map(tau).collect()
+        };
         points.extend(measurer.points(session, &reference, &taus)?);
         references.push(reference);
     }
@@ -242,7 +251,12 @@ pub(super) fn law(
     }
     // In narrow formats everything looks looked up.
     let is_wide = measurer.answers.unit < 1e-6 && measurer.answers.noise < 1e-6;
-    if is_wide && let Some(looked_up) = table::table(session, measurer, measured)? {
+    // Where answers are coarse and every channel costs, hundreds of rays would tell little of a table.
+    let is_dear = session.is_narrow() && measurer.answers.is_coarse();
+    if is_wide
+        && !is_dear
+        && let Some(looked_up) = table::table(session, measurer, measured)?
+    {
         return Ok(looked_up);
     }
     if let Some(rounded) = rounded(measurer, measured, eps) {

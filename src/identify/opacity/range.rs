@@ -14,6 +14,8 @@ const LENGTHS: [f64; 2] = [1.0, 0.25];
 const FINE: f64 = 1e-8;
 /// Extinctions of one ray of a bisection.
 const AT_ONCE: usize = 18;
+/// How near to a border that is guessed it is asked: nearer than a bisection has to come.
+const NEAR: f64 = FINE / 4.0;
 
 /// The law with what explains the points that leave it.
 pub(super) fn with_range(
@@ -86,6 +88,33 @@ struct Search<'s, 'k, 'm> {
 /// Two numbers between which a border lies.
 type Bracket = (f64, f64);
 
+/// Extinctions just below and just above where a border may be, of those between which it is.
+type Guesses<'g> = dyn Fn(Bracket) -> Vec<Bracket> + 'g;
+
+/// Just below and just above.
+fn about(at: f64) -> Bracket {
+    (at * (1.0 - NEAR), at * (1.0 + NEAR))
+}
+
+/// A little more than it.
+fn around((low, high): Bracket) -> Bracket {
+    (low * (1.0 - NEAR / 4.0), high * (1.0 + NEAR / 4.0))
+}
+
+/// The extinction between two at which a rising function has that value.
+fn inverse(of: &dyn Fn(f64) -> f64, value: f64, (low, high): Bracket) -> f64 {
+    let (mut low, mut high) = (low, high);
+    for _ in 0..60 {
+        let middle = f64::midpoint(low, high);
+        if of(middle) < value {
+            low = middle;
+        } else {
+            high = middle;
+        }
+    }
+    high
+}
+
 fn overlap(one: Bracket, other: Bracket) -> Option<Bracket> {
     let low = one.0.max(other.0);
     let high = one.1.min(other.1);
@@ -105,12 +134,12 @@ impl Search<'_, '_, '_> {
         all.filter(|p| !has(law, p, answers)).copied().collect()
     }
 
-    /// The border between `low` and `high` where `holds` becomes true.
+    /// The border between `low` and `high` where `holds` becomes true: by bisection, and at what is guessed.
     fn border(
         &mut self,
         length: f64,
-        low: f64,
-        high: f64,
+        (low, high): Bracket,
+        guesses: &Guesses<'_>,
         holds: &dyn Fn(&Point) -> bool,
     ) -> Result<Option<Bracket>, NotIdentified> {
         let Some(reference) = self.measured.reference(length).copied() else {
@@ -124,11 +153,17 @@ impl Search<'_, '_, '_> {
             // Thick ones would hide what is behind: ask few at once.
             let is_thick =
                 high * length > 12.0 * reference.extinction * length && high * length > 0.4;
-            let at_once = if is_thick { 3 } else { AT_ONCE };
-            let parts = (at_once + 1) as f64;
-            let taus: Vec<f64> = (1..=at_once)
-                .map(|k| low * (high / low).powf(k as f64 / parts))
-                .collect();
+            let guessed = if is_thick {
+                Vec::new()
+            } else {
+                guesses((low, high))
+            };
+            let guessed = guessed.into_iter().flat_map(|(under, over)| [under, over]);
+            let mut taus: Vec<f64> = guessed.filter(|tau| *tau > low && *tau < high).collect();
+            let even = if is_thick { 3 } else { AT_ONCE } - taus.len();
+            let parts = (even + 1) as f64;
+            taus.extend((1..=even).map(|k| low * (high / low).powf(k as f64 / parts)));
+            taus.sort_by(f64::total_cmp);
             let mut held = Vec::new();
             if is_thick {
                 for tau in &taus {
@@ -147,7 +182,7 @@ impl Search<'_, '_, '_> {
             match first {
                 Some(0) => high = taus[0],
                 Some(k) => (low, high) = (taus[k - 1], taus[k]),
-                None => low = taus[at_once - 1],
+                None => low = taus.last().copied().unwrap_or(low),
             }
         }
         Ok(Some((low, high)))
@@ -166,7 +201,8 @@ impl Search<'_, '_, '_> {
                 && (p.passes.value - 1.0).abs() <= 3.0 * p.passes.error
         };
         let skipped: Vec<Point> = self.wrong(law).into_iter().filter(|p| nothing(p)).collect();
-        let mut brackets = Vec::new();
+        let of = |tau: f64, length: f64| law.shape.of(&law.depth.of(&tau, &length, &f64::NAN)).0;
+        let mut brackets: Vec<(f64, Bracket)> = Vec::new();
         for length in LENGTHS {
             let here = |p: &&Point| (p.length - length).abs() < 1e-12;
             let Some(low) = largest(skipped.iter().filter(here)) else {
@@ -175,16 +211,27 @@ impl Search<'_, '_, '_> {
             let all = self.measured.points.iter().filter(here);
             let over = all.filter(|p| !nothing(p) && p.extinction > low);
             let Some(high) = smallest(over) else { continue };
-            let border = self.border(length, low, high, &|p| !nothing(p))?;
+            let here = |tau: f64| of(tau, length);
+            let before = brackets.first().copied();
+            // The same opacity as at the other length, or the same extinction; else a simple one of either.
+            let guesses = |both: Bracket| {
+                if let Some((other, (low, high))) = before {
+                    let same = |tau: f64| inverse(&here, of(tau, other), both);
+                    vec![around((same(low), same(high))), around((low, high))]
+                } else {
+                    let opacity = simplest(here(both.0), here(both.1));
+                    let by_opacity = inverse(&here, opacity, both);
+                    vec![about(by_opacity), about(simplest(both.0, both.1))]
+                }
+            };
+            let border = self.border(length, (low, high), &guesses, &|p| !nothing(p))?;
             brackets.extend(border.map(|border| (length, border)));
         }
         let [(one, first), (other, second)] = brackets.as_slice() else {
             return Ok(None);
         };
-        let opacity = |length: f64, (low, high): Bracket| {
-            let of = |tau: f64| law.shape.of(&law.depth.of(&tau, &length, &f64::NAN)).0;
-            self.rounded((of(low), of(high)))
-        };
+        let opacity =
+            |length: f64, (low, high): Bracket| self.rounded((of(low, length), of(high, length)));
         let mut law = law.clone();
         if let Some(both) = overlap(opacity(*one, *first), opacity(*other, *second)) {
             law.range.skip = Some(border_of(both));
@@ -228,7 +275,8 @@ impl Search<'_, '_, '_> {
         if !wrong.iter().filter(usable).all(&is_bare) {
             return Ok(None);
         }
-        let mut brackets = Vec::new();
+        let unit = |tau: f64| -(-tau * length).exp_m1();
+        let mut brackets: Vec<Bracket> = Vec::new();
         for step in [0.25, 0.0625, 0.7] {
             if (step - length).abs() < 1e-3 {
                 // There both say the same.
@@ -242,14 +290,19 @@ impl Search<'_, '_, '_> {
             let answers = self.measurer.answers;
             let over = all.filter(|p| has(law, p, answers) && p.extinction > low);
             let Some(high) = smallest(over) else { continue };
-            let law = law.clone();
-            let border = self.border(step, low, high, &|p| has(&law, p, answers))?;
-            let unit = |tau: f64| -(-tau * length).exp_m1();
-            brackets.extend(border.map(|(low, high)| self.rounded((unit(low), unit(high)))));
+            let before = brackets.first().copied();
+            let guesses = |both: Bracket| {
+                let simple = || simplest(unit(both.0), unit(both.1));
+                let by_opacity = || about(inverse(&unit, simple(), both));
+                vec![before.map_or_else(by_opacity, around)]
+            };
+            let border = self.border(step, (low, high), &guesses, &|p| has(law, p, answers))?;
+            brackets.extend(border);
         }
-        let mut brackets = brackets.into_iter();
-        let first = brackets.next();
-        let both = brackets.fold(first, |both, next| overlap(both?, next));
+        let opacity = |(low, high): &Bracket| self.rounded((unit(*low), unit(*high)));
+        let mut opacities = brackets.iter().map(opacity);
+        let first = opacities.next();
+        let both = opacities.fold(first, |both, next| overlap(both?, next));
         let Some(both) = both else {
             return Ok(None);
         };
@@ -384,11 +437,10 @@ impl Search<'_, '_, '_> {
         }
         let length = 0.25;
         let per = law.depth.of(&1.0, &length, &f64::NAN);
-        let law_there = law.clone();
-        let Some((low, high)) = self.border(length, deepest / per, next / per, &|p| {
-            has(&law_there, p, answers)
-        })?
-        else {
+        let guesses = |(low, high): Bracket| vec![about(simplest(low * per, high * per) / per)];
+        let both = (deepest / per, next / per);
+        let border = self.border(length, both, &guesses, &|p| has(law, p, answers))?;
+        let Some((low, high)) = border else {
             return Ok(None);
         };
         let below = border_of((low * per, high * per));
