@@ -33,6 +33,7 @@ pub(crate) mod random;
 mod ray;
 pub mod rule;
 mod scattered;
+mod seams;
 mod seen;
 mod segment;
 mod session;

@@ -12,6 +12,7 @@ mod linear;
 mod pairs;
 mod random;
 mod rounding;
+mod seams;
 mod stated;
 mod witness;
 mod words;

@@ -1,5 +1,6 @@
 //! A rule against rays that it was not found with.
 
+mod blocks;
 mod compare;
 mod early;
 mod kinds;
@@ -14,6 +15,7 @@ use super::ray::Ray;
 use super::rule::{Rule, Scheme};
 use super::session::{Session, Silence};
 use super::weights::Answers;
+use blocks::about_blocks;
 use early::about_the_end;
 use kinds::{CORE, MAKES, WALL, What};
 use ray::ray;
@@ -191,6 +193,11 @@ pub(super) fn hold_out(
     if rule.stop.is_some() {
         let kind = about_the_end(session, rule, terms, &mut random, &mut out.misses)?;
         out.kinds.extend((kind.rays > 0).then_some(kind));
+    }
+    if let Some(seam) = &rule.sequence.seam {
+        let of = (rule, seam);
+        let kind = about_blocks(session, of, terms, &mut random, &mut out.misses)?;
+        out.kinds.push(kind);
     }
     out.precision = Some(Precision::of(&answers));
     out.drifts = terms.answers.noise == 0.0 && told.changes(session);

@@ -232,6 +232,9 @@ fn of_sequence(said: &mut Said, sequence: &Sequence) {
             format!("samples come in groups of {x}, and what is left over is missing")
         });
     }
+    if let Some(seam) = sequence.seam {
+        said.value(Part::Seam, seam.blocks.count() as f64, |_| seam.words());
+    }
     said.bound(
         Part::MostSamples,
         sequence.most.map(|most| most as f64),

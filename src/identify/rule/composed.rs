@@ -39,6 +39,7 @@ impl Composed<f64> {
 }
 
 /// What one step of the march does.
+#[derive(Clone)]
 struct Layer<R> {
     adds: Vec<(Node, R)>,
     passes: R,
@@ -145,23 +146,24 @@ impl Rule {
                 ..
             }
         );
-        let order = self.sequence.order(n, partial, back);
+        let order = self.sequence.without_seams(n, partial, back);
         let length_of = |index: isize| {
             let own = usize::try_from(index).ok().and_then(|i| lengths.get(i));
             own.unwrap_or(&too_many).clone()
         };
         let linear = self.scheme.linear(format);
-        let mut layers: Vec<Layer<F::Real>> = order
+        let (indices, mut layers): (Vec<isize>, Vec<Layer<F::Real>>) = order
             .iter()
             .filter_map(|&index| match &self.scheme {
                 Scheme::Sample { place, law } => {
                     let node = place.node(index)?;
                     let extinction = format.binary64(extinction(ray, node)?);
                     let (weight, passes) = law.of(&extinction, &length_of(index), &whole);
-                    Some(Layer {
+                    let layer = Layer {
                         adds: vec![(node, weight)],
                         passes,
-                    })
+                    };
+                    Some((index, layer))
                 }
                 Scheme::Segments {
                     depth,
@@ -184,15 +186,23 @@ impl Rule {
                         }
                     }
                     let adds = nodes.into_iter().zip(all).collect();
-                    Some(Layer {
+                    let layer = Layer {
                         adds,
                         passes: (-x).exp(),
-                    })
+                    };
+                    Some((index, layer))
                 }
             })
-            .collect();
+            .unzip();
         self.put_wall(&mut layers, ray, format);
-        layers
+        if self.sequence.seam.is_none() {
+            return layers;
+        }
+        // What stands behind all samples is at no seam.
+        let times = indices.iter().map(|i| self.sequence.times(*i, n));
+        let times = times.chain(std::iter::repeat(1));
+        let repeated = |(layer, times)| std::iter::repeat_n(layer, times);
+        layers.into_iter().zip(times).flat_map(repeated).collect()
     }
 
     /// The last sample, opaque, or its emission behind the ray.

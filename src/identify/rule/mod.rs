@@ -16,6 +16,7 @@ mod output;
 mod program;
 mod python;
 mod scheme;
+mod seam;
 mod sequence;
 mod text;
 
@@ -28,6 +29,7 @@ pub use linear::LinearSegments;
 pub use output::{Channels, Curve, Output};
 pub(super) use scheme::Three;
 pub use scheme::{Place, Scheme, Segment};
+pub use seam::{At, Blocks, Effect, Seam, Which};
 pub use sequence::{End, Extra, LastStep, Sequence};
 use serde::Serialize;
 

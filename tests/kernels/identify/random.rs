@@ -5,8 +5,9 @@ use rand_pcg::Pcg64;
 use rug::Rational;
 use volver::identify::Rule;
 use volver::identify::rule::{
-    Channels, Curve, Depth, End, Extra, Formula, LastStep, Law, Output, Place, Power, Range, Scale,
-    Scheme, Segment, Sequence, Series, Shape, Step, Stop, StopBy, Table, Wall, Weight, Whole,
+    At, Blocks, Channels, Curve, Depth, Effect, End, Extra, Formula, LastStep, Law, Output, Place,
+    Power, Range, Scale, Scheme, Seam, Segment, Sequence, Series, Shape, Step, Stop, StopBy, Table,
+    Wall, Weight, Which, Whole,
 };
 use volver::kernel::{Samples, Segments};
 
@@ -209,6 +210,28 @@ impl Random {
                 LastStep::Dropped,
                 LastStep::Even,
             ]),
+            seam: self.one_in(2).then(|| self.seam()),
+        }
+    }
+
+    fn seam(&mut self) -> Seam {
+        let count = self.of(&[2, 3, 4, 5]);
+        let blocks = self.of(&[
+            Blocks::Segments,
+            Blocks::Floor,
+            Blocks::Rest,
+            Blocks::Ceiling,
+            Blocks::Even,
+        ]);
+        let at = [At::First, At::Last, At::Index(1)];
+        let blocks = blocks(count);
+        let has_index = matches!(blocks, Blocks::Segments(_));
+        Seam {
+            blocks,
+            at: self.of(if has_index { &at } else { &at[..2] }),
+            effect: self.of(&[Effect::Missing, Effect::Twice, Effect::Only]),
+            of: self.of(&[Which::All, Which::Whole, Which::Inner]),
+            fewest: self.of(&[1, 1, 4, 9]),
         }
     }
 

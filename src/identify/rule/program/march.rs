@@ -3,6 +3,7 @@
 use super::expression::{factor, number, scaled};
 use super::law::{Layer, law};
 use super::path::{Path, path};
+use super::seam::repeated;
 use super::segment::segment;
 use super::used::pruned;
 use super::{Function, Statement, at_least, at_most, change, curved, set, when};
@@ -241,6 +242,12 @@ pub(in crate::identify::rule) fn radiance(rule: &Rule) -> (Option<Function>, Vec
     let layer = put_wall(rule, &path, &samples, layer(rule, &samples));
     let mut body = layer.statements.clone();
     body.extend(step(rule, &layer));
+    let body = path
+        .index
+        .iter()
+        .cloned()
+        .chain(repeated(rule, path.is_sample.as_deref(), body));
+    let body = body.collect();
     let mut all = vec![
         set("I", "0.0"),
         set("T", "1.0"),

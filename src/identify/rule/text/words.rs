@@ -83,6 +83,7 @@ fn of_sequence(sequence: &Sequence, place: Option<Place>) -> Vec<Line> {
         LastStep::Dropped => all.push(words("a shorter last segment is left out")),
         LastStep::Even => all.push(formula("dⱼ = D/n")),
     }
+    all.extend(sequence.seam.map(|seam| words(seam.words())));
     all
 }
 
