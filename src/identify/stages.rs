@@ -6,7 +6,7 @@ use super::ends::{self, Lone, Vacuum};
 use super::influence::{self, Influence};
 use super::opacity::{self, measure::Measurer};
 use super::places::{self, Places, Samples};
-use super::rule::{End, LastStep, Lattice, Law, Rule, Scheme, Wall, Whole};
+use super::rule::{End, LastStep, Lattice, Law, Rule, Scheme, StopBy, Wall, Whole};
 use super::session::Session;
 use super::weights::Answers;
 use super::{
@@ -308,7 +308,15 @@ fn one_sample(
         grain: fitted.grain,
         ..measurer.answers.clone()
     };
-    match ends::last_step(session, &answers, &rule, 6.1 * reference)? {
+    let extinction = match rule.stop {
+        // Thin enough that the last segment is reached.
+        Some(stop) if stop.by == StopBy::Sum => {
+            let thin = lone.with_weight(stop.under / 16.0, 0.25, f64::NAN);
+            thin.map_or(6.1 * reference, |thin| thin.min(6.1 * reference))
+        }
+        _ => 6.1 * reference,
+    };
+    match ends::last_step(session, &answers, &rule, extinction)? {
         Some(with_last) => rule = with_last,
         None => found.not_identified.push(NotIdentified::new(
             "a shorter last segment counts in no known way",

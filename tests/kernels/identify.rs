@@ -14,5 +14,6 @@ mod random;
 mod rounding;
 mod seams;
 mod stated;
+mod sums;
 mod witness;
 mod words;

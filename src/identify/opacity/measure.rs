@@ -277,6 +277,7 @@ impl Measurer<'_> {
             Measured { value, error }
         };
         let through = self.through(&w, at, lead, count);
+        let is_clear = (through.value - 1.0).abs() <= 3.0 * through.error;
         // From a ray of its own: a factor of the whole ray falls out.
         let own = reference.own;
         let ray = n as f64 * reference.length;
@@ -312,7 +313,12 @@ impl Measurer<'_> {
                     extinction,
                     length: reference.length,
                     ray,
-                    weight: if is_lit { weight } else { nan },
+                    // Behind what lets all through only an end of the ray is dark: the sample may count in part.
+                    weight: if is_lit && (shines || !is_clear) {
+                        weight
+                    } else {
+                        nan
+                    },
                     passes: if is_lit && shines { passes } else { nan },
                 }
             })

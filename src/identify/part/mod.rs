@@ -259,6 +259,9 @@ fn of_ends(said: &mut Said, rule: &Rule) {
         said.value(Part::EarlyEnd, stop.under, |x| match stop.by {
             StopBy::Transmittance => format!("the ray ends where the transmittance is under {x}"),
             StopBy::Weight => format!("the ray ends where a sample's weight is under {x}"),
+            StopBy::Sum => {
+                format!("the ray ends where what samples weigh by themselves sums to {x} or more")
+            }
         });
         if stop.before {
             said.words(

@@ -63,12 +63,17 @@ impl Rule {
         let (mut passes, mut before) = (one(), one());
         let mut factor = one();
         let mut ended = false;
+        let scale = format.binary64(self.scheme.scale());
+        let mut sum = format.int(0);
         for layer in layers {
             let next = passes.clone() * &layer.passes;
+            let own = layer.first_weight(&one()).map(|weight| weight / &scale);
+            let with_own = own.clone().map(|own| own + &sum);
             ended = match (self.stop, &under) {
                 (Some(stop), Some(under)) => match stop.by {
                     StopBy::Transmittance => next < *under,
                     StopBy::Weight => layer.first_weight(&passes).is_some_and(|w| w < *under),
+                    StopBy::Sum => with_own.as_ref().is_some_and(|sum| sum >= under),
                 },
                 _ => false,
             };
@@ -78,6 +83,17 @@ impl Rule {
             let seen = if self.sequence.late { &before } else { &passes };
             // Cut off, it adds in proportion to what is left to the threshold.
             let cut = match (self.stop, &under) {
+                (
+                    Some(Stop {
+                        cut: true,
+                        by: StopBy::Sum,
+                        ..
+                    }),
+                    Some(under),
+                ) if ended => {
+                    let part = own.map(|own| (under.clone() - &sum) / &own);
+                    part.map(|part| (part * seen, passes.clone()))
+                }
                 (Some(Stop { cut: true, .. }), Some(under)) if ended => {
                     let opacity = one() - &layer.passes;
                     Some(((passes.clone() - under) / &opacity, under.clone()))
@@ -88,6 +104,7 @@ impl Rule {
                 let seen = cut.as_ref().map_or(seen, |(seen, _)| seen);
                 terms.push((node, weight * seen));
             }
+            sum = with_own.unwrap_or(sum);
             before = passes;
             passes = cut.map_or(next, |(_, left)| left);
             if ended {

@@ -70,7 +70,7 @@ pub struct Rule {
 pub struct Stop {
     /// What is compared.
     pub by: StopBy,
-    /// Under what the ray ends.
+    /// Under what the ray ends; from what on, where that is a sum.
     pub under: f64,
     /// The sample that takes it under is left out.
     pub before: bool,
@@ -89,6 +89,8 @@ pub enum StopBy {
     Transmittance,
     /// The sample's weight.
     Weight,
+    /// The sum of what samples weigh by themselves, as if nothing were in front of them.
+    Sum,
 }
 
 /// What takes the place of the last segment.

@@ -236,7 +236,7 @@ impl Random {
     }
 
     fn stop(&mut self) -> Stop {
-        let by = self.of(&[StopBy::Transmittance, StopBy::Weight]);
+        let by = self.of(&[StopBy::Transmittance, StopBy::Weight, StopBy::Sum]);
         let is_weight = by == StopBy::Weight;
         Stop {
             by,
@@ -248,7 +248,7 @@ impl Random {
             before: self.one_in(3),
             // A weight may end a ray of which nothing was absorbed: 0/0.
             cut: !is_weight && self.one_in(3),
-            renormalised: !is_weight && self.one_in(2),
+            renormalised: by == StopBy::Transmittance && self.one_in(2),
         }
     }
 

@@ -48,6 +48,7 @@ fn both(times: usize) -> (usize, usize) {
 }
 
 #[test]
+#[expect(clippy::too_many_lines, reason = "a list of kernels")]
 fn seams_are_named_with_their_blocks() {
     let kernels: [(usize, f64, &str, Times); 14] = [
         (
