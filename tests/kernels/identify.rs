@@ -8,6 +8,7 @@ mod deviation;
 mod examined;
 mod forms;
 mod gradients;
+mod layers;
 mod linear;
 mod pairs;
 mod random;

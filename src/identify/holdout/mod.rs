@@ -4,8 +4,11 @@ mod blocks;
 mod compare;
 mod early;
 mod kinds;
+mod methods;
 mod ray;
 mod told;
+
+pub(super) use methods::by_method;
 
 pub(super) use compare::{Compared, SLOPE, check_opacity, compare, of_places};
 
