@@ -178,7 +178,8 @@ const DRIFT: &str = "earlier-rays";
 const DRIFTS: &str = "an answer depends on the rays asked before";
 
 /// Deviations that no single ray shows: what answers depend on beside the question, and how few digits they have.
-const OF_MANY_RAYS: [&str; 12] = [
+const OF_MANY_RAYS: [&str; 13] = [
+    "exponential",
     "batch-step",
     "batch-padding",
     "format",

@@ -6,7 +6,7 @@ use super::opacity_answered::{self, OpacityAnswered};
 use super::rule::Rule;
 use super::session::{Budget, Spent};
 use super::witness::{Witness, witness};
-use super::{Identification, NotIdentified, covered, identify, precision, volume};
+use super::{Identification, NotIdentified, covered, exponential, identify, precision, volume};
 use crate::kernel::{Declaration, Kernel};
 
 /// What was found out about a kernel, and what that means.
@@ -155,6 +155,7 @@ fn all_deviations(
         ));
     }
     all.extend(precision::deviation(found, declaration));
+    all.extend(exponential::deviation(found, declaration));
     if let (Some(method), Some(declared)) = (&found.method, &declaration.method)
         && method != declared
     {

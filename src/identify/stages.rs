@@ -3,6 +3,7 @@
 use super::accumulation::accumulation;
 use super::deviation::right_of;
 use super::ends::{self, Lone, Vacuum};
+use super::exponential::exponential;
 use super::influence::{self, Influence};
 use super::opacity::{self, measure::Measurer};
 use super::places::{self, Places, Samples};
@@ -174,6 +175,8 @@ fn read(
     {
         let thin = sampled.typical / 32.0;
         found.accumulation = accumulation(session, &sampled.rule, &answers, thin)?;
+        let precision = found.hold_out.precision;
+        found.exponential = exponential(session, &sampled.rule, precision, sampled.typical)?;
     }
     found.rule = Some(sampled.rule);
     Ok(())

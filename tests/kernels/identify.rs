@@ -6,6 +6,7 @@ mod composed;
 mod compositions;
 mod deviation;
 mod examined;
+mod exponential;
 mod forms;
 mod gradients;
 mod layers;

@@ -54,6 +54,11 @@ pub(super) fn rounding(found: &Identification) -> String {
     if let Some(order) = found.accumulation {
         words.push(format!("Contributions are added {order}."));
     }
+    if let Some(off) = found.exponential {
+        words.push(format!(
+            "All {off}, seen by what thousands of thin segments let through."
+        ));
+    }
     if found.parts.subtracts {
         words.push(
             "Transmittances are 1 less the opacity so far, and lose their digits behind thick segments."
