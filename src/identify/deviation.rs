@@ -182,8 +182,9 @@ const DRIFTS: &str = "an answer depends on the rays asked before";
 const BY_NAME: &str = "answers-by-name";
 
 /// Deviations that no single ray shows: what answers depend on beside the question, and how few digits they have.
-const OF_MANY_RAYS: [&str; 13] = [
+const OF_MANY_RAYS: [&str; 14] = [
     INNER,
+    "exponential",
     "batch-step",
     "batch-padding",
     "format",

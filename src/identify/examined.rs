@@ -1,12 +1,12 @@
 //! A kernel from all sides: what it computes, in what that deviates from what it is to be, and a ray that shows it.
 
-use super::deviation::{Deviation, deviations, misbehaviour};
+use super::deviation::{Deviation, deviations, misbehaviour, plain};
 use super::expected::expected;
 use super::opacity_answered::{self, OpacityAnswered};
 use super::rule::Rule;
 use super::session::{Budget, Spent};
 use super::witness::{Witness, witness};
-use super::{Identification, NotIdentified, covered, identify, precision, volume};
+use super::{Identification, NotIdentified, covered, exponential, identify, precision, volume};
 use crate::kernel::{Declaration, Kernel};
 
 /// What was found out about a kernel, and what that means.
@@ -55,7 +55,7 @@ impl Verdict {
 impl Examined {
     /// Takes the rule back, which does not hold elsewhere: what it deviates in is nobody's.
     pub(crate) fn withdraw(&mut self, reason: &str) {
-        self.found.rule = None;
+        (self.found.rule, self.found.method) = (None, None);
         self.found.not_identified.push(NotIdentified::new(reason));
         self.deviations = all_deviations(&self.found, &[], &self.declaration, None);
         (self.witness, self.opacity) = (None, None);
@@ -69,7 +69,10 @@ impl Examined {
             Verdict::NoAnswer
         } else if !self.deviations.is_empty() {
             Verdict::Deviates
-        } else if self.found.named().is_some() || self.found.scattered.is_some() {
+        } else if self.found.named().is_some()
+            || self.found.method.is_some()
+            || self.found.scattered.is_some()
+        {
             Verdict::Right
         } else {
             Verdict::NotIdentified
@@ -166,6 +169,19 @@ fn all_deviations(
         ));
     }
     all.extend(precision::deviation(found, declaration));
+    all.extend(exponential::deviation(found, declaration));
+    if let (Some(method), Some(declared)) = (&found.method, &declaration.method)
+        && method != declared
+    {
+        all.push(Deviation {
+            instead_of: Some(declared.name()),
+            ..plain(
+                "method",
+                "all rays that were held out",
+                &format!("answers are those of {}", method.name()),
+            )
+        });
+    }
     let kinds = found.hold_out.kinds.iter().filter(|kind| kind.holds());
     let kinds: Vec<String> = kinds.map(|kind| kind.name.clone()).collect();
     for deviation in &mut all {

@@ -2,7 +2,8 @@
 
 use super::rule::{self, Place, Rule};
 use super::scattered::Scattered;
-use super::{Accumulation, HoldOut, NotIdentified, Optics, Spent, State};
+use super::{Accumulation, Exponential, HoldOut, NotIdentified, Optics, Spent, State};
+use crate::method::Method;
 
 /// What was found out about a kernel.
 #[derive(Clone, Debug, Default)]
@@ -13,6 +14,8 @@ pub struct Identification {
     pub parts: Parts,
     /// The whole rule.
     pub rule: Option<Rule>,
+    /// The method that states no rule and has all the answers.
+    pub method: Option<Method>,
     /// What a kernel that draws random numbers does.
     pub scattered: Option<Scattered>,
     /// What a kernel reads of a volume, to which the rule is applied as to middles of segments.
@@ -25,6 +28,8 @@ pub struct Identification {
     pub not_identified: Vec<NotIdentified>,
     /// In what order contributions are added.
     pub accumulation: Option<Accumulation>,
+    /// By how much exponentials are off, where that was seen.
+    pub exponential: Option<Exponential>,
     /// What it cost.
     pub spent: Spent,
 }

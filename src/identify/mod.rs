@@ -14,6 +14,7 @@ mod deviation;
 mod ends;
 mod examined;
 mod expected;
+mod exponential;
 mod finding;
 mod free_places;
 mod gradient;
@@ -33,6 +34,7 @@ pub(crate) mod random;
 mod ray;
 pub mod rule;
 mod scattered;
+mod seams;
 mod seen;
 mod segment;
 mod session;
@@ -49,6 +51,7 @@ pub use against::{Against, Difference, Known, against, differences};
 pub use deviation::{Deviation, deviations, misbehaviour, right_of};
 pub(crate) use examined::examine_for;
 pub use examined::{Examined, Verdict, examine};
+pub use exponential::Exponential;
 pub use finding::NotIdentified;
 pub use gradient::{GradientFound, GradientsTogether, Off, gradients};
 pub use holdout::{HoldOut, Kind, Miss};
@@ -70,8 +73,9 @@ pub use together::{Apart, TOGETHER, Together, together};
 pub use volume::{Lookup, Optics};
 pub use witness::{TaskError, Witness, witness};
 
-use crate::kernel::{Declaration, Kernel, Quantum};
-use rule::Scheme;
+use crate::kernel::{Declaration, FormKind, Kernel, Quantum};
+use crate::method::{Layers, Method};
+use rule::{Channels, Output, Scheme};
 use session::Session;
 use stages::run;
 use weights::Answers;
@@ -91,8 +95,40 @@ pub fn identify(
     if let Err(reason) = run(&mut session, &mut found) {
         found.not_identified.push(reason);
     }
+    if found.named().is_none()
+        && let Some((layers, hold_out)) = by_method(&mut session, &found)
+    {
+        found.rule = None;
+        found.not_identified.clear();
+        found.method = Some(Method::Layered(layers));
+        found.hold_out = hold_out;
+    }
     found.spent = session.spent;
     found
+}
+
+/// The method that states no rule, and all of whose answers a kernel has: what is seen of ends of segments, and as it is
+/// computed.
+fn by_method(session: &mut Session<'_>, found: &Identification) -> Option<(Layers, HoldOut)> {
+    let is_plain = found.parts.output == Some(Output::default())
+        && found.state == Some(State::default())
+        && session.pose.form == FormKind::Segments
+        && session.channels == Channels::Straight;
+    let answers = Answers {
+        unit: found.parts.unit?,
+        noise: found.parts.noise,
+        ..Answers::default()
+    };
+    let terms = holdout::Terms {
+        answers: &answers,
+        typical: 1.0,
+        no_vacuum: false,
+        by_name: false,
+        negative: !session.positive,
+        right: None,
+    };
+    let named = is_plain.then(|| holdout::by_method(session, &terms))?;
+    named.ok().flatten()
 }
 
 /// Why nothing is read off answers that are as declared: probes are brighter and fainter by orders of magnitude, and small

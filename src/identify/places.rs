@@ -41,6 +41,10 @@ pub(super) const STEP: f64 = 0.25;
 const EXTINCTION: f64 = 0.4;
 /// The optical depth of a ray, beyond which an early end would look like samples that are missing.
 const DEEPEST: f64 = 2.0;
+/// The sum of weights of a ray that lets everything through, beyond which an end by that sum would look alike.
+const BRIGHTEST: f64 = 0.5;
+/// What a ray loses that is said to let everything through.
+const CLEAR: f64 = 1e-6;
 /// Weights under this part of the largest are none.
 const NONE: f64 = 1e-9;
 /// Groups that loops are unrolled by.
@@ -80,6 +84,11 @@ fn even_of(
             adds_up(answers, &found, &beside, n)?;
         }
         let lost = lost_a_segment(&found, n);
+        let sum = found.values().iter().map(|w| w.abs()).sum::<f64>();
+        if !is_random && lost * n as f64 <= CLEAR && sum > BRIGHTEST {
+            extinction *= 0.6 * BRIGHTEST / sum;
+            continue;
+        }
         let is_thin = lost.is_nan() || lost * n as f64 <= DEEPEST;
         if is_random || is_thin {
             return Ok(Even {

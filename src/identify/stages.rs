@@ -3,17 +3,18 @@
 use super::accumulation::accumulation;
 use super::deviation::right_of;
 use super::ends::{self, Lone, Vacuum};
+use super::exponential::exponential;
 use super::influence::{self, Influence};
 use super::opacity::{self, measure::Measurer};
 use super::output::Mapped;
 use super::places::{self, Places, Samples};
-use super::rule::{Channels, End, Lattice, Law, Rule, Scheme, Wall, Whole};
+use super::rule::{Channels, End, LastStep, Lattice, Law, Rule, Scheme, StopBy, Wall, Whole};
 use super::session::Session;
 use super::state::Name;
 use super::weights::Answers;
 use super::{
     Bracket, Identification, NotIdentified, Parameter, VacuumFails, channels, free_places, holdout,
-    output, pose, scattered, segment, state, volume,
+    output, pose, scattered, seams, segment, state, volume,
 };
 use crate::kernel::FormKind;
 
@@ -60,24 +61,86 @@ pub(super) fn run(
         found.scattered = Some(scattered::scattered(session, &answers)?);
         return Ok(());
     }
-    let poses = pose::Pose::new(session.pose.form);
-    let divides = session.divides;
+    let start = Start {
+        mapped: &mapped,
+        poses: pose::Pose::new(session.pose.form),
+        divides: session.divides,
+        by_name: state.name != Name::Nothing,
+    };
     let lean = lean | look(session, &answers, found)?;
     let even = places::even(session, &answers, false)?;
+    let before = found.clone();
+    let plain = read(session, found, &start, &even, lean);
+    if lean || (plain.is_ok() && found.hold_out.is_whole()) {
+        return plain;
+    }
+    // It may be the samples between blocks of segments.
+    let Ok(Some(spread)) = start.seams(session, &even) else {
+        return plain;
+    };
+    let mut seamed = Identification {
+        spent: found.spent,
+        ..before
+    };
+    session.pose.places = pose::Known::Spread(spread);
+    let even = places::even(session, &answers, false);
+    let again = even.map(|even| read(session, &mut seamed, &start, &even, lean));
+    (session.pose, session.divides) = (start.poses, start.divides);
+    if matches!(again, Ok(Ok(()))) && seamed.hold_out.is_whole() {
+        *found = seamed;
+        return Ok(());
+    }
+    plain
+}
+
+/// What is known before any place is.
+struct Start<'a> {
+    mapped: &'a output::Mapped,
+    /// How rays are put that know nothing.
+    poses: pose::Pose,
+    divides: bool,
+    /// A ray of the name of another has another answer.
+    by_name: bool,
+}
+
+impl Start<'_> {
+    /// Samples that are left out, or taken twice, in a kernel that is given segments.
+    fn seams(
+        &self,
+        session: &mut Session<'_>,
+        even: &places::Even,
+    ) -> Result<Option<pose::Spread>, NotIdentified> {
+        if self.poses.form != FormKind::Segments {
+            return Ok(None);
+        }
+        seams::seams(session, &self.mapped.answers, even)
+    }
+}
+
+/// Reads the rule off behind what is known, and holds it out.
+fn read(
+    session: &mut Session<'_>,
+    found: &mut Identification,
+    start: &Start<'_>,
+    even: &places::Even,
+    lean: bool,
+) -> Result<(), NotIdentified> {
+    let mapped = start.mapped;
+    let answers = mapped.answers.clone();
     let base = Rule {
         emission_max: mapped.emission_max,
         emission_min: mapped.emission_min,
         lattice: session.pose.lattice(),
         output: answers.output,
-        channels,
+        channels: session.channels,
         ..Rule::default()
     };
-    let sampled = match places::places(session, &answers, &even)? {
-        Places::Several(last) => several(session, &mapped, &base, last)?,
+    let mut sampled = match places::places(session, &answers, even)? {
+        Places::Several(last) => several(session, mapped, &base, last)?,
         Places::Samples(samples) => {
             found.parts.place = Some(samples.place);
-            match influence::influence(session, &answers, &even, &samples)? {
-                Influence::Several => several(session, &mapped, &base, End::Once)?,
+            match influence::influence(session, &answers, even, &samples)? {
+                Influence::Several => several(session, mapped, &base, End::Once)?,
                 Influence::Own { whole } => {
                     let measurer = Measurer {
                         answers: &answers,
@@ -85,11 +148,18 @@ pub(super) fn run(
                         whole,
                         subtracts: false,
                     };
-                    one_sample(session, &measurer, (&mapped, &base), found, lean)?
+                    one_sample(session, &measurer, (mapped, &base), found, lean)?
                 }
             }
         }
     };
+    if let pose::Known::Spread(spread) = session.pose.places {
+        sampled.rule.sequence.seam = Some(spread.seam);
+        // Of a last segment that is never sampled its length says nothing.
+        if !spread.takes_the_last() {
+            sampled.rule.sequence.last_step = LastStep::Own;
+        }
+    }
     let fails = &sampled.vacuum;
     found.parts.vacuum_fails = match (fails.part_fails, fails.whole_fails) {
         (true, _) => Some(VacuumFails::Segment),
@@ -106,12 +176,12 @@ pub(super) fn run(
         answers: &answers,
         typical: sampled.typical,
         no_vacuum: fails.part_fails,
-        by_name: state.name != Name::Nothing,
+        by_name: start.by_name,
         negative: mapped.takes_negative,
         right: (right != sampled.rule).then_some(&right),
     };
     // What was found out is tried on rays that know nothing of it.
-    (session.pose, session.divides) = (poses, divides);
+    (session.pose, session.divides) = (start.poses, start.divides);
     found.hold_out = match &found.optics {
         Some(optics) => volume::hold_out(session, &sampled.rule, optics, &terms)?,
         None => holdout::hold_out(session, &sampled.rule, &terms)?,
@@ -120,9 +190,12 @@ pub(super) fn run(
         && !lean
         && found.optics.is_none()
         && sampled.rule.lattice.is_none()
+        && sampled.rule.sequence.seam.is_none()
     {
         let thin = sampled.typical / 32.0;
         found.accumulation = accumulation(session, &sampled.rule, &answers, thin)?;
+        let precision = found.hold_out.precision;
+        found.exponential = exponential(session, &sampled.rule, precision, sampled.typical)?;
     }
     found.rule = Some(sampled.rule);
     Ok(())
@@ -266,7 +339,15 @@ fn one_sample(
         grain: fitted.grain,
         ..measurer.answers.clone()
     };
-    match ends::last_step(session, &answers, &rule, 6.1 * reference)? {
+    let extinction = match rule.stop {
+        // Thin enough that the last segment is reached.
+        Some(stop) if stop.by == StopBy::Sum => {
+            let thin = lone.with_weight(stop.under / 16.0, 0.25, f64::NAN);
+            thin.map_or(6.1 * reference, |thin| thin.min(6.1 * reference))
+        }
+        _ => 6.1 * reference,
+    };
+    match ends::last_step(session, &answers, &rule, extinction)? {
         Some(with_last) => rule = with_last,
         None => found.not_identified.push(NotIdentified::new(
             "a shorter last segment counts in no known way",

@@ -9,7 +9,7 @@ use super::MethodError;
 use super::error::require_multiple;
 use crate::case::{Nodes, Number, Transfer};
 use crate::real::special::{linear_in_depth, logarithmic_mean};
-use crate::real::{Format, Real};
+use crate::real::{Format, Real, row};
 use rug::Rational;
 use std::fmt;
 
@@ -113,10 +113,7 @@ impl Layers {
                 let mean = (front.emission.clone() + &back.emission) * &half;
                 -(-depth.clone()).exp_m1() * &mean
             }),
-            Layers::Logarithmic => by_ends(nodes, n, &step, |front, back, depth| {
-                let mean = logarithmic_mean(&front.emission, &back.emission);
-                -(-depth.clone()).exp_m1() * &mean
-            }),
+            Layers::Logarithmic => by_ends(nodes, n, &step, logarithmic),
             Layers::HalfCells => by_ends(nodes, n, &step, |front, back, depth| {
                 let half = depth.format().fraction(1, 2) * &step;
                 let through = |end: &Transfer<Number<N>>| -(end.extinction.clone() * &half);
@@ -141,6 +138,40 @@ impl Layers {
             Layers::Bezier(bezier) => bezier.radiance(nodes, n, &step),
         })
     }
+}
+
+impl Layers {
+    /// What it makes of layers between those places, each of its own length, where it is the logarithmic mean or a Bézier
+    /// curve: all others are sums of emissions.
+    pub(crate) fn between<R: Real>(self, places: &[Transfer<R>], lengths: &[R]) -> Option<R> {
+        let format = places.first()?.extinction.format();
+        match self {
+            Layers::Logarithmic => {
+                let ends = places.iter().zip(places.iter().skip(1)).zip(lengths);
+                Some(composite(format, ends, |((front, back), length)| {
+                    let depth = trapezoid(front, back, length);
+                    (logarithmic(front, back, &depth), (-depth).exp())
+                }))
+            }
+            Layers::Bezier(bezier) => {
+                let extinctions = row(places.iter().map(|place| place.extinction.clone()));
+                let emissions = row(places.iter().map(|place| place.emission.clone()));
+                Some(bezier.between(format, lengths, &extinctions, &emissions))
+            }
+            Layers::Linear
+            | Layers::Mean
+            | Layers::HalfCells
+            | Layers::Middle
+            | Layers::HalfOwn
+            | Layers::WholeOwn => None,
+        }
+    }
+}
+
+/// (1 − e^(−x)) times the logarithmic mean of both ends' C.
+fn logarithmic<R: Real>(front: &Transfer<R>, back: &Transfer<R>, depth: &R) -> R {
+    let mean = logarithmic_mean(&front.emission, &back.emission);
+    -(-depth.clone()).exp_m1() * &mean
 }
 
 /// The radiance of a rule that looks at the ends of layers alone, `light` giving E of both and x.

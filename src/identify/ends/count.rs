@@ -43,6 +43,11 @@ pub(in crate::identify) fn counts(
         let thick = lone.with_weight(8.0 * stop.under, 0.25, f64::NAN);
         tau = tau.max(thick.unwrap_or(tau));
     }
+    if let Some(stop) = rule.stop.filter(|stop| stop.by == StopBy::Sum) {
+        // Thin enough that none does.
+        let thin = lone.with_weight(stop.under / 64.0, 0.25, f64::NAN);
+        tau = tau.min(thin.unwrap_or(tau));
+    }
     let back = place == Place::Back;
     let small: &[usize] = if lean { &LEAN } else { &SMALL };
     let mut seen: Vec<(usize, usize)> = Vec::new();
@@ -115,6 +120,10 @@ fn most(
     let mut tau = lone.reference(0.25) / 64.0;
     if let Some(skip) = rule_skip(lone) {
         tau = tau.max(lone.invert(1.0 - 1.5 * skip, 0.25, ray_length));
+    }
+    if let Some(stop) = rule.stop.filter(|stop| stop.by == StopBy::Sum) {
+        let thin = lone.with_weight(stop.under / (4 * n) as f64, 0.25, ray_length);
+        tau = tau.min(thin.unwrap_or(tau));
     }
     let tau = visible(lone, tau);
     let coarse = lone.measurer.answers.is_coarse();
@@ -203,6 +212,7 @@ fn most(
     let ended = rule.stop.is_some_and(|stop| match stop.by {
         StopBy::Transmittance => left <= 2.0 * stop.under,
         StopBy::Weight => weight * left <= 2.0 * stop.under,
+        StopBy::Sum => 2.0 * weight * f64::from(at) >= stop.under,
     });
     if ended || !shows {
         return Ok(None);

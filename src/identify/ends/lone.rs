@@ -25,7 +25,12 @@ impl Lone<'_> {
     }
 
     /// The least extinction whose weight is that or more; `None` where none is.
-    pub(super) fn with_weight(&self, weight: f64, length: f64, ray: f64) -> Option<f64> {
+    pub(in crate::identify) fn with_weight(
+        &self,
+        weight: f64,
+        length: f64,
+        ray: f64,
+    ) -> Option<f64> {
         let (mut low, mut high) = (0.0, 4096.0 * self.reference(length));
         if self.of(high, length, ray).0 < weight {
             return None;

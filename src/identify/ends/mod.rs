@@ -5,6 +5,7 @@ mod count;
 mod last;
 mod lone;
 mod stop;
+mod sum;
 mod vacuum;
 mod wall;
 

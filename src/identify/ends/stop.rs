@@ -1,6 +1,7 @@
 //! Rays that end early: where, by what, and what becomes of the radiance.
 
 use super::Lone;
+use super::sum::by_sum;
 use crate::identify::NotIdentified;
 use crate::identify::number::simplest;
 use crate::identify::rule::{Place, Sequence, Stop, StopBy, Whole};
@@ -28,15 +29,17 @@ const BEYOND: usize = 2;
 const FINE: f64 = 1e-8;
 
 /// A ray, and the last sample that counted on it.
-struct Trial {
+pub(super) struct Trial {
     /// T behind every sample, in order.
     after: Vec<f64>,
     /// The weight of every sample.
-    weights: Vec<f64>,
+    pub(super) weights: Vec<f64>,
+    /// What all samples up to each weigh by themselves.
+    pub(super) sums: Vec<f64>,
     /// The position of the last one that counted.
-    last: usize,
+    pub(super) last: usize,
     /// What it was seen to weigh.
-    seen: Measured,
+    pub(super) seen: Measured,
     /// What all samples were seen to weigh, along the ray.
     all: Vec<Measured>,
 }
@@ -73,6 +76,7 @@ impl Reading {
         let of = match self.by {
             StopBy::Transmittance => &trial.after,
             StopBy::Weight => &trial.weights,
+            StopBy::Sum => return None,
         };
         // The sample that decided, and those that did not.
         let decided = trial.last + usize::from(self.before);
@@ -102,6 +106,9 @@ pub(in crate::identify) fn early_end(
     // No round depth: thresholds are round.
     let tau = lone.reference(length) * 16.37;
     let passes = lone.of(tau, length, ray).1;
+    if (passes - 1.0).abs() <= 0.0 {
+        return by_sum(session, lone);
+    }
     if !(passes > 0.0 && passes < 1.0) {
         return Ok(None);
     }
@@ -154,6 +161,7 @@ pub(in crate::identify) fn early_end(
         let taus = match reading.by {
             StopBy::Transmittance => fine(lone, n, length, low, high),
             StopBy::Weight => falling(lone, n, length, low, high),
+            StopBy::Sum => None,
         };
         let Some(taus) = taus else {
             stuck[k] = true;
@@ -169,7 +177,10 @@ pub(in crate::identify) fn early_end(
         stuck[k] = now.is_some_and(|now| now.1 / now.0 > 0.999 * (high / low) && high / low < 1.5);
     }
     let Some((reading, (low, high))) = reading(&trials) else {
-        return Err(failed(&trials));
+        return match by_sum(session, lone)? {
+            Some(early) => Ok(Some(early)),
+            None => Err(failed(&trials)),
+        };
     };
     if high / low - 1.0 > LOOSE.max(fine_enough) {
         return Err(NotIdentified::new(format!(
@@ -177,6 +188,7 @@ pub(in crate::identify) fn early_end(
             match reading.by {
                 StopBy::Transmittance => "a transmittance",
                 StopBy::Weight => "a weight",
+                StopBy::Sum => "a sum",
             }
         )));
     }
@@ -195,7 +207,7 @@ pub(in crate::identify) fn early_end(
 }
 
 /// The simplest threshold of a bracket: 0.05 is said as 1 − 0.95 where that has fewer digits.
-fn simplest_threshold((low, high): (f64, f64)) -> f64 {
+pub(super) fn simplest_threshold((low, high): (f64, f64)) -> f64 {
     let under = simplest(low, high);
     // 1/255 and its like.
     let part = 1.0 / (1.0 / under).round();
@@ -274,7 +286,7 @@ fn failed(trials: &[Trial]) -> NotIdentified {
 }
 
 /// Which sample of a ray is the last that counts.
-fn trial(
+pub(super) fn trial(
     session: &mut Session<'_>,
     lone: &Lone<'_>,
     taus: &[f64],
@@ -291,7 +303,8 @@ fn trial(
     } else {
         lone.measurer.weights(session, taus, length)?
     };
-    let (mut after, mut weights) = (Vec::new(), Vec::new());
+    let (mut after, mut weights, mut sums) = (Vec::new(), Vec::new(), Vec::new());
+    let mut sum = 0.0;
     // One sample too many stands in front of all at the back of segments.
     let is_behind = lone.measurer.samples.place == Place::Back && sequence.extra.is_some();
     let mut passes = if is_behind && !sequence.swapped {
@@ -302,6 +315,8 @@ fn trial(
     for &k in &order {
         let (weight, through) = lone.of(taus[k], length, ray);
         weights.push(weight * passes);
+        sum += weight / lone.law.scale.0;
+        sums.push(sum);
         passes *= through;
         after.push(passes);
     }
@@ -321,6 +336,7 @@ fn trial(
     Ok(Trial {
         after,
         weights,
+        sums,
         last,
         seen,
         all: w,

@@ -1,10 +1,14 @@
 //! A rule against rays that it was not found with.
 
+mod blocks;
 mod compare;
 mod early;
 mod kinds;
+mod methods;
 mod ray;
 mod told;
+
+pub(super) use methods::by_method;
 
 pub(super) use compare::{Compared, SLOPE, check_opacity, compare, of_places};
 
@@ -15,6 +19,7 @@ use super::rule::{Rule, Scheme};
 use super::session::{Session, Silence};
 use super::weights::Answers;
 use crate::case::catalogue;
+use blocks::about_blocks;
 use early::about_the_end;
 use kinds::{CORE, MAKES, NEGATIVE, WALL, What};
 use ray::ray;
@@ -210,6 +215,11 @@ pub(super) fn hold_out(
             Err(Silence::Budget(_)) if out.kinds.len() >= FEWEST => return Ok(out),
             Err(silence) => return Err(silence),
         }
+    }
+    if let Some(seam) = &rule.sequence.seam {
+        let of = (rule, seam);
+        let kind = about_blocks(session, of, terms, &mut random, &mut out.misses)?;
+        out.kinds.push(kind);
     }
     let precision = Precision::of(&answers);
     if 2.0 * precision.unit() < terms.answers.unit {

@@ -69,10 +69,27 @@ fn ratio(one: Measured, other: Measured) -> Measured {
 const OTHER: f64 = 0.01;
 /// The depth of references.
 const DEPTH: f64 = 1.0 / 32.0;
+/// Known to this part of a reference's weight, one that is the same behind another says that all is let through.
+const CLEAR: f64 = 1e-3;
 /// References before the first extinction where all is in order; and where the first samples are not.
 const LEAD: usize = 6;
 /// References behind the last one.
 const TAIL: usize = 3;
+
+/// Behind what lets all through only an end of the ray is dark: the last sample that is seen may count in part, and says
+/// nothing.
+fn forget_the_crossing(w: &mut [Measured], lead: usize) {
+    let lit = |w: &Measured| w.value.abs() > 3.0 * w.error;
+    let (near, far) = (w[lead - 2], w[lead - 1]);
+    let error = 3.0 * (far.error + near.error);
+    let is_fine = error < CLEAR * near.value.abs();
+    let is_clear = is_fine && lit(&near) && (far.value - near.value).abs() <= error;
+    let is_known = w.last().is_some_and(|last| last.error.is_finite());
+    let last = w.iter().rposition(lit);
+    if let Some(last) = last.filter(|last| is_clear && is_known && last + 1 < w.len()) {
+        w[last].error = f64::INFINITY;
+    }
+}
 
 impl Measurer<'_> {
     /// The weights of the n samples in the order in which the kernel takes them.
@@ -324,6 +341,7 @@ impl Measurer<'_> {
     ) -> Vec<Point> {
         let mut w = asked.weights.clone();
         let (at, lead, n, count) = (&asked.at, asked.lead, w.len(), extinctions.len());
+        forget_the_crossing(&mut w, lead);
         self.add_rounding(&mut w, at, reference.own.value);
         let ratio = |k: usize, by: usize| ratio(w[k], w[by]);
         let through = self.through(&w, at, lead, count);

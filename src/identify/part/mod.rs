@@ -241,6 +241,9 @@ fn of_sequence(said: &mut Said, sequence: &Sequence) {
             format!("samples come in groups of {x}, and what is left over is missing")
         });
     }
+    if let Some(seam) = sequence.seam {
+        said.value(Part::Seam, seam.blocks.count() as f64, |_| seam.words());
+    }
     said.bound(
         Part::MostSamples,
         sequence.most.map(|most| most as f64),
@@ -265,6 +268,9 @@ fn of_ends(said: &mut Said, rule: &Rule) {
         said.value(Part::EarlyEnd, stop.under, |x| match stop.by {
             StopBy::Transmittance => format!("the ray ends where the transmittance is under {x}"),
             StopBy::Weight => format!("the ray ends where a sample's weight is under {x}"),
+            StopBy::Sum => {
+                format!("the ray ends where what samples weigh by themselves sums to {x} or more")
+            }
         });
         if stop.before {
             said.words(

@@ -56,6 +56,8 @@ pub enum Part {
     Late,
     /// Samples in groups.
     Unrolled,
+    /// Samples between blocks of segments.
+    Seam,
     /// The most samples.
     MostSamples,
     /// A shorter last segment.
@@ -123,6 +125,7 @@ impl Part {
             Part::Swapped => "swapped-ends",
             Part::Late => "late-transmittance",
             Part::Unrolled => "unrolled",
+            Part::Seam => "seam",
             Part::MostSamples => "most-samples",
             Part::LastStep => "last-step",
             Part::EarlyEnd => "early-end",
@@ -151,6 +154,7 @@ impl Part {
             Part::LengthBits
                 | Part::OpacityQuantum
                 | Part::Unrolled
+                | Part::Seam
                 | Part::MostSamples
                 | Part::ClipHigh
                 | Part::ClipLow
@@ -186,6 +190,7 @@ impl Part {
             | Part::Table => "segments between references",
             Part::Eps => "empty segments between references",
             Part::Unrolled => "rays of 1 to 17 segments, lit one by one",
+            Part::Seam => "rays of 1 to 263 segments, lit one by one",
             Part::MostSamples => "light from segment m on",
             Part::LastStep => "rays with a shorter last segment",
             Part::EarlyEnd | Part::EarlyEndSample | Part::Renormalised => {

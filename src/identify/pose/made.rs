@@ -15,6 +15,7 @@ use std::ops::Range;
 #[derive(Debug)]
 pub(in crate::identify) enum Posed<'r> {
     Segments(&'r Ray),
+    Spread(Box<Ray>),
     Made(Box<Made>),
 }
 
@@ -22,6 +23,7 @@ impl Posed<'_> {
     pub(in crate::identify) fn task(&self) -> Task<'_> {
         match self {
             Posed::Segments(ray) => ray.task(),
+            Posed::Spread(ray) => ray.task(),
             Posed::Made(made) => made.task(),
         }
     }

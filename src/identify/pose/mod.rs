@@ -3,9 +3,11 @@
 mod code;
 mod made;
 mod profile;
+mod spread;
 
 pub(super) use made::{Made, Posed, Steps};
 pub(super) use profile::{at, hats, plain};
+pub(super) use spread::Spread;
 
 use super::ray::Ray;
 use super::rule::Lattice;
@@ -30,6 +32,8 @@ pub(super) enum Known {
     Lattice(Lattice),
     /// Through a volume's field and table.
     Volume(Optics),
+    /// In segments, of which some are sampled twice or never.
+    Spread(Spread),
 }
 
 impl Pose {
@@ -44,20 +48,23 @@ impl Pose {
     pub(super) fn lattice(&self) -> Option<Lattice> {
         match self.places {
             Known::Lattice(lattice) => Some(lattice),
-            Known::Nodes | Known::Volume(_) => None,
+            Known::Nodes | Known::Volume(_) | Known::Spread(_) => None,
         }
     }
 
     /// The ray in this form.
     pub(super) fn of<'r>(&self, ray: &'r Ray) -> Result<Posed<'r>, Silence> {
         if self.form == FormKind::Segments {
-            return Ok(Posed::Segments(ray));
+            return Ok(match &self.places {
+                Known::Spread(spread) => Posed::Spread(Box::new(spread.of(ray)?)),
+                _ => Posed::Segments(ray),
+            });
         }
         let made = match &self.places {
             Known::Volume(optics) => Made::volume(ray, optics)?,
             Known::Lattice(lattice) => Made::on_lattice(ray, self.form, lattice)?,
             Known::Nodes if self.form == FormKind::Volume => Made::tabulated(ray),
-            Known::Nodes => Made::plain(ray, self.form),
+            Known::Nodes | Known::Spread(_) => Made::plain(ray, self.form),
         };
         Ok(Posed::Made(Box::new(made)))
     }

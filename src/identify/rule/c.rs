@@ -5,7 +5,9 @@ use super::{Place, Rule, Scheme};
 use std::fmt::Write as _;
 
 /// Names of integers; all others are of doubles.
-const INTEGERS: [&str; 8] = ["i", "k", "count", "begin", "end", "more", "wall", "ended"];
+const INTEGERS: [&str; 11] = [
+    "i", "k", "count", "begin", "end", "more", "wall", "ended", "size", "times", "copy",
+];
 
 /// A number rounded to so many significant bits.
 const ROUNDED: &str = "\
@@ -69,9 +71,14 @@ impl Source {
             Statement::Change(name, op, value) => self.line(&format!("{name} {op}= {value};")),
             Statement::If(condition, then, otherwise) => {
                 let condition = condition.replace(" and ", " && ").replace(" or ", " || ");
-                self.line(&format!("if ({condition}) {{"));
-                self.body(then);
-                if !otherwise.is_empty() {
+                if then.is_empty() {
+                    self.line(&format!("if (!({condition})) {{"));
+                    self.body(otherwise);
+                } else {
+                    self.line(&format!("if ({condition}) {{"));
+                    self.body(then);
+                }
+                if !then.is_empty() && !otherwise.is_empty() {
                     self.line("} else {");
                     self.body(otherwise);
                 }

@@ -39,6 +39,7 @@ impl Composed<f64> {
 }
 
 /// What one step of the march does.
+#[derive(Clone)]
 struct Layer<R> {
     adds: Vec<(Node, R)>,
     passes: R,
@@ -62,12 +63,17 @@ impl Rule {
         let (mut passes, mut before) = (one(), one());
         let mut factor = one();
         let mut ended = false;
+        let scale = format.binary64(self.scheme.scale());
+        let mut sum = format.int(0);
         for layer in layers {
             let next = passes.clone() * &layer.passes;
+            let own = layer.first_weight(&one()).map(|weight| weight / &scale);
+            let with_own = own.clone().map(|own| own + &sum);
             ended = match (self.stop, &under) {
                 (Some(stop), Some(under)) => match stop.by {
                     StopBy::Transmittance => next < *under,
                     StopBy::Weight => layer.first_weight(&passes).is_some_and(|w| w < *under),
+                    StopBy::Sum => with_own.as_ref().is_some_and(|sum| sum >= under),
                 },
                 _ => false,
             };
@@ -77,6 +83,17 @@ impl Rule {
             let seen = if self.sequence.late { &before } else { &passes };
             // Cut off, it adds in proportion to what is left to the threshold.
             let cut = match (self.stop, &under) {
+                (
+                    Some(Stop {
+                        cut: true,
+                        by: StopBy::Sum,
+                        ..
+                    }),
+                    Some(under),
+                ) if ended => {
+                    let part = own.map(|own| (under.clone() - &sum) / &own);
+                    part.map(|part| (part * seen, passes.clone()))
+                }
                 (Some(Stop { cut: true, .. }), Some(under)) if ended => {
                     let opacity = one() - &layer.passes;
                     Some(((passes.clone() - under) / &opacity, under.clone()))
@@ -87,6 +104,7 @@ impl Rule {
                 let seen = cut.as_ref().map_or(seen, |(seen, _)| seen);
                 terms.push((node, weight * seen));
             }
+            sum = with_own.unwrap_or(sum);
             before = passes;
             passes = cut.map_or(next, |(_, left)| left);
             if ended {
@@ -145,23 +163,24 @@ impl Rule {
                 ..
             }
         );
-        let order = self.sequence.order(n, partial, back);
+        let order = self.sequence.without_seams(n, partial, back);
         let length_of = |index: isize| {
             let own = usize::try_from(index).ok().and_then(|i| lengths.get(i));
             own.unwrap_or(&too_many).clone()
         };
         let linear = self.scheme.linear(format);
-        let mut layers: Vec<Layer<F::Real>> = order
+        let (indices, mut layers): (Vec<isize>, Vec<Layer<F::Real>>) = order
             .iter()
             .filter_map(|&index| match &self.scheme {
                 Scheme::Sample { place, law } => {
                     let node = place.node(index)?;
                     let extinction = format.binary64(extinction(ray, node)?);
                     let (weight, passes) = law.of(&extinction, &length_of(index), &whole);
-                    Some(Layer {
+                    let layer = Layer {
                         adds: vec![(node, weight)],
                         passes,
-                    })
+                    };
+                    Some((index, layer))
                 }
                 Scheme::Segments {
                     depth,
@@ -184,15 +203,23 @@ impl Rule {
                         }
                     }
                     let adds = nodes.into_iter().zip(all).collect();
-                    Some(Layer {
+                    let layer = Layer {
                         adds,
                         passes: (-x).exp(),
-                    })
+                    };
+                    Some((index, layer))
                 }
             })
-            .collect();
+            .unzip();
         self.put_wall(&mut layers, ray, format);
-        layers
+        if self.sequence.seam.is_none() {
+            return layers;
+        }
+        // What stands behind all samples is at no seam.
+        let times = indices.iter().map(|i| self.sequence.times(*i, n));
+        let times = times.chain(std::iter::repeat(1));
+        let repeated = |(layer, times)| std::iter::repeat_n(layer, times);
+        layers.into_iter().zip(times).flat_map(repeated).collect()
     }
 
     /// The last sample, opaque, or its emission behind the ray.

@@ -27,6 +27,8 @@ fn sign(c: char) -> Option<&'static str> {
         '¹' => "^1",
         '⌊' => "\\lfloor ",
         '⌋' => "\\rfloor ",
+        '⌈' => "\\lceil ",
+        '⌉' => "\\rceil ",
         '·' => "\\cdot ",
         '%' => "\\%",
         _ => return None,
@@ -93,6 +95,15 @@ fn translated(formula: &str) -> String {
     out
 }
 
+/// Words, with the signs among them as formulas.
+fn worded(words: &str) -> String {
+    let of = |c: char| match sign(c) {
+        Some(latex) => format!("${}$", latex.trim()),
+        None => c.to_string(),
+    };
+    words.chars().map(of).collect()
+}
+
 /// Words at the start; a letter alone is a name.
 fn phrase(text: &str) -> &str {
     let is_letter = |c: char| c.is_ascii_lowercase();
@@ -127,7 +138,7 @@ impl Rule {
             .into_iter()
             .map(|line| match line {
                 Line::Formula(formula) => translated(&formula),
-                Line::Words(words) => format!("\\text{{{words}}}"),
+                Line::Words(words) => format!("\\text{{{}}}", worded(&words)),
             })
             .collect();
         format!(

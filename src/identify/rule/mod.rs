@@ -16,6 +16,7 @@ mod output;
 mod program;
 mod python;
 mod scheme;
+mod seam;
 mod sequence;
 mod text;
 
@@ -28,6 +29,7 @@ pub use linear::LinearSegments;
 pub use output::{Channels, Curve, Output};
 pub(super) use scheme::Three;
 pub use scheme::{Place, Scheme, Segment};
+pub use seam::{At, Blocks, Effect, Seam, Which};
 pub use sequence::{End, Extra, LastStep, Sequence};
 use serde::Serialize;
 
@@ -68,7 +70,7 @@ pub struct Rule {
 pub struct Stop {
     /// What is compared.
     pub by: StopBy,
-    /// Under what the ray ends.
+    /// Under what the ray ends; from what on, where that is a sum.
     pub under: f64,
     /// The sample that takes it under is left out.
     pub before: bool,
@@ -87,6 +89,8 @@ pub enum StopBy {
     Transmittance,
     /// The sample's weight.
     Weight,
+    /// The sum of what samples weigh by themselves, as if nothing were in front of them.
+    Sum,
 }
 
 /// What takes the place of the last segment.

@@ -1,5 +1,6 @@
 //! Which samples are taken, and in what order.
 
+use super::Seam;
 use serde::Serialize;
 
 /// What becomes of the sample at an end.
@@ -59,6 +60,8 @@ pub struct Sequence {
     pub most: Option<u64>,
     /// What a shorter last segment counts as.
     pub last_step: LastStep,
+    /// What becomes of samples between blocks of segments.
+    pub seam: Option<Seam>,
 }
 
 impl Default for Sequence {
@@ -72,6 +75,7 @@ impl Default for Sequence {
             unrolled: 1,
             most: None,
             last_step: LastStep::Own,
+            seam: None,
         }
     }
 }
@@ -82,6 +86,22 @@ impl Sequence {
     /// `partial` where the last segment is shorter, `back` where samples lie at the back of segments.
     #[must_use]
     pub fn order(&self, n: usize, partial: bool, back: bool) -> Vec<isize> {
+        let order = self.without_seams(n, partial, back);
+        let repeated = |i: isize| std::iter::repeat_n(i, self.times(i, n));
+        order.into_iter().flat_map(repeated).collect()
+    }
+
+    /// How often the sample of that index is taken wherever it stands in the order.
+    pub(super) fn times(&self, index: isize, n: usize) -> usize {
+        let own = usize::try_from(index).ok().filter(|i| *i < n);
+        match (self.seam, own) {
+            (Some(seam), Some(i)) => seam.times(i, n),
+            _ => 1,
+        }
+    }
+
+    /// The same without regard to seams.
+    pub(super) fn without_seams(&self, n: usize, partial: bool, back: bool) -> Vec<isize> {
         let group = usize::try_from(self.unrolled.max(1)).unwrap_or(1);
         let most = self.most.and_then(|most| usize::try_from(most).ok());
         let mut count = (n - n % group).min(most.unwrap_or(usize::MAX));

@@ -58,17 +58,28 @@ impl Bezier {
             emissions.push(place.emission);
         }
         let steps = row(extinctions.iter().skip(1).map(|_| step.clone()));
-        let of_extinction = self.curves(&steps, &extinctions);
-        let depths = row(of_extinction.iter().map(|points| {
-            let mut sum = nodes.format().int(0);
+        self.between(nodes.format(), &steps, &extinctions, &emissions)
+    }
+
+    /// The radiance of values at places that are steps apart.
+    pub(super) fn between<F: Format>(
+        self,
+        format: F,
+        steps: &[F::Real],
+        extinctions: &[F::Real],
+        emissions: &[F::Real],
+    ) -> F::Real {
+        let of_extinction = self.curves(steps, extinctions);
+        let depths = row(of_extinction.iter().zip(steps).map(|(points, step)| {
+            let mut sum = format.int(0);
             for point in points {
                 sum += point;
             }
-            sum * step / &nodes.format().int(self.count())
+            sum * step / &format.int(self.count())
         }));
-        let of_emission = self.curves(&depths, &emissions);
+        let of_emission = self.curves(&depths, emissions);
         let layers = of_emission.iter().zip(&depths);
-        composite(nodes.format(), layers, |(points, depth)| {
+        composite(format, layers, |(points, depth)| {
             (light(points, depth), (-depth.clone()).exp())
         })
     }

@@ -2,6 +2,7 @@
 
 use super::Other;
 use crate::identify::{self, Deviation, Examined, Kind, NotIdentified, Witness, parts};
+use crate::method::Method;
 use crate::render::ReportError;
 use serde::Serialize;
 use serde_json::Value;
@@ -23,6 +24,9 @@ pub(in crate::report) struct Found<'a> {
     verdict: &'static str,
     /// Only where it is named.
     rule: Option<Rule<'a>>,
+    /// The method that states no rule and has all the answers.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    method: Option<String>,
     /// Of a kernel that draws random numbers.
     #[serde(skip_serializing_if = "Option::is_none")]
     scattered: Option<Scattered<'a>>,
@@ -35,6 +39,9 @@ pub(in crate::report) struct Found<'a> {
     /// In what order contributions are added.
     #[serde(skip_serializing_if = "Option::is_none")]
     accumulation: Option<identify::Accumulation>,
+    /// By how many units of 2^(−24) exponentials are off.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    exponential: Option<identify::Exponential>,
     /// Transmittances are 1 less the opacity so far.
     transmittance_by_subtraction: bool,
     validated: Vec<Held<'a>>,
@@ -198,6 +205,7 @@ pub(in crate::report) fn found(examined: &Examined) -> Result<Found<'_>, ReportE
     Ok(Found {
         verdict: examined.verdict().name(),
         rule: found.named().map(Rule::of),
+        method: found.method.as_ref().map(Method::name),
         scattered: found.scattered.as_ref().map(|scattered| Scattered {
             text: scattered.to_string(),
             law: &scattered.law,
@@ -208,6 +216,7 @@ pub(in crate::report) fn found(examined: &Examined) -> Result<Found<'_>, ReportE
         volume: found.optics.map(|optics| optics.to_string()),
         precision: found.hold_out.precision,
         accumulation: found.accumulation,
+        exponential: found.exponential,
         transmittance_by_subtraction: found.parts.subtracts,
         validated: found.hold_out.kinds.iter().map(held).collect(),
         deviations: examined.deviations.iter().map(deviating).collect(),

@@ -121,6 +121,12 @@ fn rule(examined: &Examined) -> Vec<Block> {
         (None, None, Some(scattered)) => vec![Block::Lines(scattered.to_string())],
         (None, None, None) => Vec::new(),
     };
+    blocks.extend(
+        found
+            .method
+            .iter()
+            .map(|method| Block::Text(words::of_method(method))),
+    );
     if let Some(optics) = &found.optics {
         blocks.push(Block::Text(format!("Of a volume it reads: {optics}.")));
     }

@@ -2,6 +2,7 @@
 
 use crate::document::Fact;
 use crate::identify::{Deviation, Examined, Identification, Scattered, Verdict};
+use crate::method::Method;
 
 pub(super) fn word(verdict: Verdict) -> &'static str {
     match verdict {
@@ -13,9 +14,12 @@ pub(super) fn word(verdict: Verdict) -> &'static str {
 
 pub(super) fn conclusion(examined: &Examined) -> String {
     let found = &examined.found;
-    let named = found.named().is_some() || found.scattered.is_some();
+    let named = found.named().is_some() || found.method.is_some() || found.scattered.is_some();
     match examined.verdict() {
-        Verdict::Right => "The rule is identified, and does not deviate".into(),
+        Verdict::Right => match &found.method {
+            Some(method) => format!("The method is identified: {}", method.name()),
+            None => "The rule is identified, and does not deviate".into(),
+        },
         Verdict::Deviates => {
             let all = examined.deviations.iter().map(|deviation| {
                 let value = known(deviation).map(|value| format!(" {}", number(value)));
@@ -33,6 +37,14 @@ pub(super) fn conclusion(examined: &Examined) -> String {
     }
 }
 
+/// That answers are a method's.
+pub(in crate::report) fn of_method(method: &Method) -> String {
+    format!(
+        "It answers as the method {} does, which states no rule.",
+        method.name()
+    )
+}
+
 /// How answers are rounded, as far as that was seen.
 pub(super) fn rounding(found: &Identification) -> String {
     let mut words = Vec::new();
@@ -41,6 +53,11 @@ pub(super) fn rounding(found: &Identification) -> String {
     }
     if let Some(order) = found.accumulation {
         words.push(format!("Contributions are added {order}."));
+    }
+    if let Some(off) = found.exponential {
+        words.push(format!(
+            "All {off}, seen by what thousands of thin segments let through."
+        ));
     }
     if found.parts.subtracts {
         words.push(

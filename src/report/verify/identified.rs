@@ -5,7 +5,7 @@ use crate::convergence::Verdict;
 use crate::document::{Block, Finding, Medium, Tone};
 use crate::identify::Deviation;
 use crate::kernel::Quantity;
-use crate::report::identify::words::{kinds, number, sentence};
+use crate::report::identify::words::{kinds, number, of_method, sentence};
 use crate::study::verify::{
     Acceptance, Accepted, Conclusion, Identified, Line, Measured, Standing, Verification,
 };
@@ -25,6 +25,9 @@ pub(super) fn rule(verification: &Verification) -> Vec<Block> {
         blocks.push(Block::Text(validated(identified)));
     } else if let Some(scattered) = &found.scattered {
         blocks.push(Block::Lines(scattered.to_string()));
+    } else if let Some(method) = &found.method {
+        blocks.push(Block::Text(of_method(method)));
+        blocks.push(Block::Text(kinds(&identified.examined)));
     } else {
         blocks.push(Block::Finding(no_rule(verification).toned(Tone::Open)));
         let reasons = found.not_identified.iter().take(REASONS);
@@ -121,12 +124,14 @@ pub(super) fn findings(verification: &Verification) -> Vec<Finding> {
     let Some(identified) = &verification.identification else {
         return Vec::new();
     };
-    let mut all = match identified.named() {
-        Some(rule) => vec![Finding::new(
+    let method = identified.examined.found.method.as_ref();
+    let mut all = match (identified.named(), method) {
+        (None, Some(method)) => vec![Finding::new("the method is", method.name())],
+        (Some(rule), _) => vec![Finding::new(
             "the rule is",
             rule.to_string().replace('\n', "; "),
         )],
-        None => vec![no_rule(verification)],
+        (None, None) => vec![no_rule(verification)],
     };
     all.extend(differs(identified));
     all.extend(said(identified, &verification.settings.accept));

@@ -3,8 +3,8 @@
 use super::composed::{OfRule, law, plain};
 use std::time::Duration;
 use volver::identify::rule::{
-    Curve, Depth, End, Extra, LastStep, Place, Power, Scale, Scheme, Series, Shape, Stop, StopBy,
-    Wall, Weight, Whole,
+    At, Blocks, Curve, Depth, Effect, End, Extra, LastStep, Place, Power, Scale, Scheme, Seam,
+    Series, Shape, Stop, StopBy, Wall, Weight, Which, Whole,
 };
 use volver::identify::{Budget, Rule, identify};
 use volver::kernel::{Samples, Segments};
@@ -176,7 +176,8 @@ fn put(rule: &mut Rule, kind: usize, random: &mut Random) -> Option<&'static str
                     ..
                 }
             );
-            match random.below(if is_middle { 4 } else { 5 }) {
+            match random.below(if is_middle { 5 } else { 6 }) {
+                4 => rule.sequence.seam = Some(seam(random)),
                 0 => rule.sequence.first = random.one(&[End::Missing, End::Twice]),
                 1 => rule.sequence.last = random.one(&[End::Missing, End::Twice]),
                 2 => rule.sequence.unrolled = random.one(&[2, 4, 8, 16, 3]),
@@ -208,6 +209,29 @@ fn put(rule: &mut Rule, kind: usize, random: &mut Random) -> Option<&'static str
         }
     };
     Some(name)
+}
+
+/// Blocks of any kind.
+fn seam(random: &mut Random) -> Seam {
+    let blocks = random.one(&[
+        Blocks::Segments,
+        Blocks::Floor,
+        Blocks::Rest,
+        Blocks::Ceiling,
+        Blocks::Even,
+    ]);
+    let most = if blocks(0) == Blocks::Segments(0) {
+        70
+    } else {
+        9
+    };
+    Seam {
+        blocks: blocks(2 + random.below(most - 1) as u64),
+        at: random.one(&[At::First, At::Last]),
+        effect: random.one(&[Effect::Missing, Effect::Twice, Effect::Only]),
+        of: random.one(&[Which::All, Which::Inner]),
+        fewest: random.one(&[1, 1, 8, 20]),
+    }
 }
 
 /// A rule with that many faults of different kinds, and their names.

@@ -2,8 +2,9 @@
 
 use rug::Rational;
 use volver::identify::rule::{
-    Channels, Curve, Depth, End, Extra, LastStep, Law, Output, Place, Power, Range, Rule, Scale,
-    Scheme, Segment, Sequence, Shape, Stop, StopBy, Wall, Weight, Whole,
+    At, Blocks, Channels, Curve, Depth, Effect, End, Extra, LastStep, Law, Output, Place, Power,
+    Range, Rule, Scale, Scheme, Seam, Segment, Sequence, Shape, Stop, StopBy, Wall, Weight, Which,
+    Whole,
 };
 use volver::identify::{Bracket, Parameter, deviations, differences, right_of};
 
@@ -173,6 +174,19 @@ fn faulty() -> Vec<(&'static str, Rule)> {
             "unrolled",
             sequence(Sequence {
                 unrolled: 8,
+                ..plain()
+            }),
+        ),
+        (
+            "seam",
+            sequence(Sequence {
+                seam: Some(Seam {
+                    blocks: Blocks::Segments(16),
+                    at: At::Last,
+                    effect: Effect::Missing,
+                    of: Which::Whole,
+                    fewest: 1,
+                }),
                 ..plain()
             }),
         ),

@@ -2,7 +2,8 @@
 
 use super::composed::{OfRule, law, plain};
 use volver::identify::rule::{
-    End, Extra, LastStep, Output, Place, Power, Series, Stop, StopBy, Wall, Weight, Whole,
+    At, Blocks, Effect, End, Extra, LastStep, Output, Place, Power, Seam, Series, Stop, StopBy,
+    Wall, Weight, Which, Whole,
 };
 use volver::identify::{Budget, Kind, Rule, held_out};
 
@@ -41,6 +42,17 @@ fn pairs() -> Vec<(&'static str, Rule, Rule)> {
     let wall = |wall| with(|rule| rule.wall = Some(wall));
     let last = |step| with(|rule| rule.sequence.last_step = step);
     let most = |count| with(|rule| rule.sequence.most = Some(count));
+    let seam = |blocks, effect, of, fewest| {
+        with(|rule| {
+            rule.sequence.seam = Some(Seam {
+                blocks,
+                at: At::Last,
+                effect,
+                of,
+                fewest,
+            });
+        })
+    };
     let skip = |under| with(|rule| law(rule).range.skip = Some(under));
     vec![
         (
@@ -172,6 +184,41 @@ fn pairs() -> Vec<(&'static str, Rule, Rule)> {
             "unrolled by 2",
             with(|rule| rule.sequence.unrolled = 2),
             middle(),
+        ),
+        (
+            "every second and every fourth sample",
+            seam(Blocks::Segments(2), Effect::Missing, Which::Whole, 1),
+            seam(Blocks::Segments(4), Effect::Missing, Which::Whole, 1),
+        ),
+        (
+            "blocks of 512 segments",
+            seam(Blocks::Segments(512), Effect::Missing, Which::Whole, 1),
+            middle(),
+        ),
+        (
+            "a rest of a part of the ray, in a block of its own or in the last",
+            seam(Blocks::Floor(4), Effect::Twice, Which::Inner, 1),
+            seam(Blocks::Rest(4), Effect::Twice, Which::Inner, 1),
+        ),
+        (
+            "blocks of n/4, rounded up or down",
+            seam(Blocks::Floor(4), Effect::Missing, Which::Whole, 1),
+            seam(Blocks::Ceiling(4), Effect::Missing, Which::Whole, 1),
+        ),
+        (
+            "blocks of n/3, as even as may be or with the rest in the last",
+            seam(Blocks::Even(3), Effect::Missing, Which::Inner, 1),
+            seam(Blocks::Rest(3), Effect::Missing, Which::Inner, 1),
+        ),
+        (
+            "blocks from 8 segments on, or from 9",
+            seam(Blocks::Floor(4), Effect::Missing, Which::Whole, 8),
+            seam(Blocks::Floor(4), Effect::Missing, Which::Whole, 9),
+        ),
+        (
+            "the last of all, too",
+            seam(Blocks::Segments(16), Effect::Twice, Which::All, 1),
+            seam(Blocks::Segments(16), Effect::Twice, Which::Whole, 1),
         ),
         (
             "late by one",

@@ -5,9 +5,9 @@ use rand_pcg::Pcg64;
 use rug::Rational;
 use volver::identify::Rule;
 use volver::identify::rule::{
-    Channels, Curve, Depth, End, Extra, Formula, LastStep, Law, Output, Place, Power, Quantised,
-    Range, Scale, Scheme, Segment, Sequence, Series, Shape, Step, Stop, StopBy, Table, Wall,
-    Weight, Whole,
+    At, Blocks, Channels, Curve, Depth, Effect, End, Extra, Formula, LastStep, Law, Output, Place,
+    Power, Quantised, Range, Scale, Scheme, Seam, Segment, Sequence, Series, Shape, Step, Stop,
+    StopBy, Table, Wall, Weight, Which, Whole,
 };
 use volver::kernel::{Samples, Segments};
 
@@ -212,11 +212,33 @@ impl Random {
                 LastStep::Dropped,
                 LastStep::Even,
             ]),
+            seam: self.one_in(2).then(|| self.seam()),
+        }
+    }
+
+    fn seam(&mut self) -> Seam {
+        let count = self.of(&[2, 3, 4, 5]);
+        let blocks = self.of(&[
+            Blocks::Segments,
+            Blocks::Floor,
+            Blocks::Rest,
+            Blocks::Ceiling,
+            Blocks::Even,
+        ]);
+        let at = [At::First, At::Last, At::Index(1)];
+        let blocks = blocks(count);
+        let has_index = matches!(blocks, Blocks::Segments(_));
+        Seam {
+            blocks,
+            at: self.of(if has_index { &at } else { &at[..2] }),
+            effect: self.of(&[Effect::Missing, Effect::Twice, Effect::Only]),
+            of: self.of(&[Which::All, Which::Whole, Which::Inner]),
+            fewest: self.of(&[1, 1, 4, 9]),
         }
     }
 
     fn stop(&mut self) -> Stop {
-        let by = self.of(&[StopBy::Transmittance, StopBy::Weight]);
+        let by = self.of(&[StopBy::Transmittance, StopBy::Weight, StopBy::Sum]);
         let is_weight = by == StopBy::Weight;
         Stop {
             by,
@@ -228,7 +250,7 @@ impl Random {
             before: self.one_in(3),
             // A weight may end a ray of which nothing was absorbed: 0/0.
             cut: !is_weight && self.one_in(3),
-            renormalised: !is_weight && self.one_in(2),
+            renormalised: by == StopBy::Transmittance && self.one_in(2),
         }
     }
 

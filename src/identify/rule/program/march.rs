@@ -3,6 +3,7 @@
 use super::expression::{factor, number, scaled};
 use super::law::{Layer, law};
 use super::path::{Path, path};
+use super::seam::repeated;
 use super::segment::segment;
 use super::used::pruned;
 use super::{Function, Statement, at_least, at_most, change, curved, set, when};
@@ -172,7 +173,17 @@ fn step(rule: &Rule, layer: &Layer) -> Vec<Statement> {
         return goes_on;
     };
     let under = number(stop.under);
+    let scale = rule.scheme.scale();
+    let own = if (scale - 1.0).abs() > 0.0 {
+        format!("{} / {}", factor(&layer.first), number(scale))
+    } else {
+        factor(&layer.first)
+    };
+    if stop.by == StopBy::Sum {
+        goes_on.push(change("S", '+', own.as_str()));
+    }
     let ended = match stop.by {
+        StopBy::Sum => format!("S + {own} >= {under}"),
         StopBy::Transmittance => format!("T * {passes} < {under}"),
         StopBy::Weight => format!("T * {} < {under}", factor(&layer.first)),
     };
@@ -180,6 +191,16 @@ fn step(rule: &Rule, layer: &Layer) -> Vec<Statement> {
     let mut all = Vec::new();
     match stop {
         Stop { before: true, .. } => {
+            all.push(when(ended, ends));
+            all.extend(goes_on);
+        }
+        Stop {
+            cut: true,
+            by: StopBy::Sum,
+            ..
+        } => {
+            let part = format!("{seen} * (({under} - S) / ({own}))");
+            ends.insert(0, added(&part));
             all.push(when(ended, ends));
             all.extend(goes_on);
         }
@@ -195,6 +216,12 @@ fn step(rule: &Rule, layer: &Layer) -> Vec<Statement> {
         } => {
             all.extend(goes_on);
             all.push(when(format!("T < {under}"), ends));
+        }
+        Stop {
+            by: StopBy::Sum, ..
+        } => {
+            all.extend(goes_on);
+            all.push(when(format!("S >= {under}"), ends));
         }
         Stop {
             by: StopBy::Weight, ..
@@ -241,10 +268,17 @@ pub(in crate::identify::rule) fn radiance(rule: &Rule) -> (Option<Function>, Vec
     let layer = put_wall(rule, &path, &samples, layer(rule, &samples));
     let mut body = layer.statements.clone();
     body.extend(step(rule, &layer));
+    let body = path
+        .index
+        .iter()
+        .cloned()
+        .chain(repeated(rule, path.is_sample.as_deref(), body));
+    let body = body.collect();
     let mut all = vec![
         set("I", "0.0"),
         set("T", "1.0"),
         set("before", "1.0"),
+        set("S", "0.0"),
         set("ended", "0"),
     ];
     all.extend(path.before);

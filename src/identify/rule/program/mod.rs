@@ -4,6 +4,7 @@ mod expression;
 mod law;
 mod march;
 mod path;
+mod seam;
 mod segment;
 mod used;
 

@@ -1,6 +1,6 @@
 //! Which samples are taken, in what order, as a loop.
 
-use super::{Range, Statement, change, set, when};
+use super::{Range, Statement, change, seam, set, when};
 use crate::identify::rule::{End, Extra, LastStep, Place, Rule, Scheme, Wall};
 
 /// A loop over samples.
@@ -9,6 +9,8 @@ pub(super) struct Path {
     pub(super) before: Vec<Statement>,
     /// The loop.
     pub(super) range: Range,
+    /// The sample's index i, where it has to be known before anything else.
+    pub(super) index: Vec<Statement>,
     /// The sample's index i and its length d.
     pub(super) inside: Vec<Statement>,
     /// Whether it is the last sample.
@@ -85,7 +87,8 @@ fn lengths(rule: &Rule) -> Vec<Statement> {
 
 /// The loop over the samples of a rule.
 pub(super) fn path(rule: &Rule) -> Path {
-    let (count, before) = count(rule);
+    let (count, mut before) = count(rule);
+    before.extend(rule.sequence.seam.iter().flat_map(seam::sized));
     let sequence = &rule.sequence;
     let twice = [sequence.first, sequence.last].contains(&End::Twice);
     let one_more = extra(rule);
@@ -117,10 +120,10 @@ pub(super) fn path(rule: &Rule) -> Path {
     } else {
         at(end - 1)
     };
-    let mut inside = lengths(rule);
+    let mut index = Vec::new();
     let name = if has_wall { "k" } else { "i" };
     let is_sample = has_wall.then(|| {
-        inside.insert(0, set("i", "k"));
+        index.push(set("i", "k"));
         if backwards {
             first -= 1;
             "k >= 0".into()
@@ -129,6 +132,7 @@ pub(super) fn path(rule: &Rule) -> Path {
             "k < n".into()
         }
     });
+    let (index, inside) = parted(rule, is_sample.as_deref(), index);
     Path {
         before,
         range: Range {
@@ -137,16 +141,34 @@ pub(super) fn path(rule: &Rule) -> Path {
             to: at(end),
             backwards,
         },
+        index,
         inside,
         is_last: format!("{name} == {last}"),
         is_sample,
     }
 }
 
+/// What has to be known before anything else, and the rest: what stands behind the ray is that of the last sample.
+fn parted(
+    rule: &Rule,
+    is_sample: Option<&str>,
+    mut index: Vec<Statement>,
+) -> (Vec<Statement>, Vec<Statement>) {
+    let lengths = lengths(rule);
+    if rule.sequence.seam.is_none() {
+        index.extend(lengths);
+        return (Vec::new(), index);
+    }
+    match is_sample {
+        Some(is_sample) => (vec![when(is_sample, index)], lengths),
+        None => (index, lengths),
+    }
+}
+
 /// The general loop: positions k from `begin` to `end`, of which some are the same sample.
 fn by_bounds(rule: &Rule, count: &'static str, mut before: Vec<Statement>) -> Path {
     let sequence = &rule.sequence;
-    let mut inside = vec![set("i", "k")];
+    let mut index = vec![set("i", "k")];
     before.extend([set("begin", "0"), set("end", count)]);
     let if_any = |statement| when("begin < end", vec![statement]);
     match sequence.first {
@@ -154,7 +176,7 @@ fn by_bounds(rule: &Rule, count: &'static str, mut before: Vec<Statement>) -> Pa
         End::Missing => before.push(if_any(change("begin", '+', "1"))),
         End::Twice => {
             before.push(if_any(change("begin", '-', "1")));
-            inside.push(when("i < 0", vec![set("i", "0")]));
+            index.push(when("i < 0", vec![set("i", "0")]));
         }
     }
     match sequence.last {
@@ -163,17 +185,17 @@ fn by_bounds(rule: &Rule, count: &'static str, mut before: Vec<Statement>) -> Pa
         End::Twice => {
             before.push(if_any(change("end", '+', "1")));
             let last = format!("{count} - 1");
-            inside.push(when(format!("i > {last}"), vec![set("i", last)]));
+            index.push(when(format!("i > {last}"), vec![set("i", last)]));
         }
     }
     match extra(rule) {
         Some((_, Place::Back)) => {
             before.extend([change("begin", '-', "1"), set("more", "begin")]);
-            inside.push(when("k == more", vec![set("i", "-1")]));
+            index.push(when("k == more", vec![set("i", "-1")]));
         }
         Some(_) => {
             before.extend([set("more", "end"), change("end", '+', "1")]);
-            inside.push(when("k == more", vec![set("i", "n")]));
+            index.push(when("k == more", vec![set("i", "n")]));
         }
         None => {}
     }
@@ -193,7 +215,7 @@ fn by_bounds(rule: &Rule, count: &'static str, mut before: Vec<Statement>) -> Pa
     } else {
         "k == end - 1"
     };
-    inside.extend(lengths(rule));
+    let (index, inside) = parted(rule, is_sample.as_deref(), index);
     Path {
         before,
         range: Range {
@@ -202,6 +224,7 @@ fn by_bounds(rule: &Rule, count: &'static str, mut before: Vec<Statement>) -> Pa
             to: "end".into(),
             backwards,
         },
+        index,
         inside,
         is_last: is_last.into(),
         is_sample,

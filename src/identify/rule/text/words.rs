@@ -83,6 +83,7 @@ fn of_sequence(sequence: &Sequence, place: Option<Place>) -> Vec<Line> {
         LastStep::Dropped => all.push(words("a shorter last segment is left out")),
         LastStep::Even => all.push(formula("dⱼ = D/n")),
     }
+    all.extend(sequence.seam.map(|seam| words(seam.words())));
     all
 }
 
@@ -90,17 +91,27 @@ fn of_stop(stop: Stop) -> Vec<Line> {
     let what = match stop.by {
         StopBy::Transmittance => "the transmittance behind a sample",
         StopBy::Weight => "the weight of a sample",
+        StopBy::Sum => "what samples weigh by themselves",
     };
     let under = number(stop.under);
-    let what = format!("the ray ends where {what} is under {under}");
+    let what = match stop.by {
+        StopBy::Sum => format!("the ray ends where {what} sums to {under} or more"),
+        StopBy::Transmittance | StopBy::Weight => {
+            format!("the ray ends where {what} is under {under}")
+        }
+    };
     let mut all = vec![words(if stop.before {
         format!("{what}, without that sample")
     } else {
         what
     })];
     if stop.cut && !stop.before {
+        let what = match stop.by {
+            StopBy::Sum => "the sum",
+            StopBy::Transmittance | StopBy::Weight => "the transmittance",
+        };
         all.push(words(format!(
-            "that sample takes the transmittance to {under} only, and weighs as much less"
+            "that sample takes {what} to {under} only, and weighs as much less"
         )));
     }
     if stop.renormalised {
