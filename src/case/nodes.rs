@@ -6,6 +6,7 @@ pub(crate) mod grid;
 mod recorded;
 mod replayed;
 mod shared;
+mod twice;
 
 pub use any::AnyNodes;
 pub(crate) use any::Rows;

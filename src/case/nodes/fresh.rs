@@ -1,6 +1,7 @@
 //! Every request evaluated anew.
 
 use super::grid::Grid;
+use super::twice::Twice;
 use super::{Column, Nodes, ROW, in_rows};
 use crate::case::{Case, PolynomialTransfer, Structure, Transfer};
 use crate::real::{Format, row};
@@ -76,12 +77,20 @@ impl<'c, C: Case, F: Format> Fresh<'c, C, F> {
     fn places(&self, n: u64, offset: Rational, count: u64) -> impl Iterator<Item = F::Real> {
         self.count(count);
         let grid = self.grid(n, &offset);
-        (0..count).map(move |j| match &grid {
-            Some(grid) => {
+        let twice = match &grid {
+            Some(_) => None,
+            None => Twice::new(self.format, &self.length, n, &offset),
+        };
+        (0..count).map(move |j| match (&grid, &twice) {
+            (Some(grid), _) => {
                 let (numerator, denominator) = grid.place(j);
                 self.format.fraction(numerator, denominator)
             }
-            None => self.exact_place(n, &offset, j),
+            (None, Some(twice)) => {
+                let place = twice.place(self.format, j);
+                place.unwrap_or_else(|| self.exact_place(n, &offset, j))
+            }
+            (None, None) => self.exact_place(n, &offset, j),
         })
     }
 

@@ -3,6 +3,7 @@
 use rug::Rational;
 use volver::case::{Case, Fresh, HomogeneousSlab, Nodes, Reciprocal, Shared, Structure, Transfer};
 use volver::inside::case::Grid;
+use volver::quadrature::Rule;
 use volver::real::{Format, Mpfr, Native, Real};
 
 /// Shows the places it is asked for: s = λ, τ = s, C = s².
@@ -227,4 +228,49 @@ fn a_grid_that_would_overflow_is_refused() {
     assert!(Grid::new(&large, 2, &(1, 2).into()).is_none());
     let grid = Grid::new(&one, 5, &(1, 3).into()).unwrap();
     assert_eq!(grid.place(6), (19, 15));
+}
+
+/// Gauss's nodes are no fractions of machine integers: in native formats they are rounded from two numbers of binary64.
+#[test]
+fn irrational_places_are_rounded_once_in_native_formats() {
+    fn assert_rounded<F: Format>(format: F) {
+        let table = Rule::GaussLegendre(5).table(format.bits()).unwrap();
+        for length in [(1, 1), (5, 2), (1, 3), (10_000, 1), (1, 1000), (157, 50)] {
+            let case = ray(length.0, length.1);
+            let nodes = Fresh::new(&case, format);
+            for offset in &table.nodes {
+                for n in [1, 7, 1 << 10, 9_973] {
+                    let column = nodes.interior(n, offset);
+                    for (j, place) in (0_u64..).zip(&column.field) {
+                        let exact = Rational::from(offset + j) / n * &case.length;
+                        assert_eq!(*place, format.ratio(&exact), "{n} {j} {offset}");
+                    }
+                }
+            }
+        }
+    }
+    assert_rounded(Native::<f64>::new());
+    assert_rounded(Native::<f32>::new());
+}
+
+/// Rows have the values of places one after the other, the first of boundaries one more.
+#[test]
+fn rows_have_the_same_values() {
+    let case = ray(5, 3);
+    let nodes = Fresh::new(&case, Native::<f64>::new());
+    let half = Rational::from((1, 2));
+    for n in [1, 511, 512, 513, 2_000] {
+        let rows: Vec<_> = nodes.rows(n).collect();
+        let values: Vec<f64> = rows.iter().flat_map(|row| row.extinction.clone()).collect();
+        let march: Vec<f64> = nodes.march(n).map(|one| one.extinction).collect();
+        assert_eq!(values, march);
+        let inside: Vec<_> = nodes.rows_inside(n, half.clone()).collect();
+        let counts = |rows: &[Transfer<Vec<f64>>]| -> Vec<usize> {
+            rows.iter().map(|row| row.emission.len()).collect()
+        };
+        let mut backs = counts(&rows);
+        backs[0] -= 1;
+        assert_eq!(backs, counts(&inside));
+        assert_eq!(counts(&inside).iter().sum::<usize>() as u64, n);
+    }
 }

@@ -1,0 +1,93 @@
+//! Places of a ray in twice the digits of binary64: what stands for an irrational number is no fraction of machine
+//! integers, and a rational number a place takes longer than all else.
+
+use crate::real::Format;
+use rug::Rational;
+
+/// Formats whose numbers may be rounded from such a sum: it is off by some 2⁻¹⁰⁰ of itself.
+const MOST_BITS: u32 = 53;
+/// How near a number may be to where rounding turns, in units in binary64's last place, before it is not decided here.
+const UNDECIDED: f64 = 1e-6;
+
+/// The places D·(j + offset)/n as sums of two numbers of binary64.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Twice {
+    offset: [f64; 2],
+    /// The numerator of D.
+    scale: f64,
+    /// n times its denominator.
+    divisor: f64,
+}
+
+impl Twice {
+    /// `None` where numbers are not exact in binary64 that have to be, or a format has more bits.
+    pub(super) fn new<F: Format>(
+        format: F,
+        length: &Rational,
+        n: u64,
+        offset: &Rational,
+    ) -> Option<Self> {
+        let exact = |x: u64| (x < 1 << MOST_BITS).then_some(x as f64);
+        let scale = exact(length.numer().to_u64()?)?;
+        let divisor = exact(length.denom().to_u64()?.checked_mul(n)?)?;
+        exact(n)?;
+        let high = offset.to_f64();
+        let low = (offset - Rational::from_f64(high)?).to_f64();
+        (format.bits() <= MOST_BITS).then_some(Twice {
+            offset: [high, low],
+            scale,
+            divisor,
+        })
+    }
+
+    /// Place j ≤ n, rounded once to nearest; `None` where that is not decided.
+    #[inline]
+    pub(super) fn place<F: Format>(&self, format: F, j: u64) -> Option<F::Real> {
+        let [high, low] = self.offset;
+        let (sum, rest) = two_sum(j as f64, high);
+        let (sum, rest) = two_sum(sum, rest + low);
+        let (product, error) = two_product(sum, self.scale);
+        let (product, error) = two_sum(product, error + rest * self.scale);
+        let quotient = product / self.divisor;
+        let (whole, part) = two_product(quotient, self.divisor);
+        let remainder = ((product - whole) - part) + error;
+        let (near, rest) = two_sum(quotient, remainder / self.divisor);
+        if format.bits() == MOST_BITS {
+            // Rounded to nearest already, unless it is half a unit off.
+            let unit = f64::EPSILON * power_of_two_below(near);
+            let turns = (rest.abs() - 0.5 * unit).abs() <= UNDECIDED * unit
+                // A power of two has a shorter way down.
+                || (rest.abs() - 0.25 * unit).abs() <= UNDECIDED * unit;
+            return (near > 0.0 && !turns).then(|| format.binary64(near));
+        }
+        let (below, above) = (near.next_down(), near.next_up());
+        let rounded = format.binary64(below);
+        (rounded == format.binary64(above)).then_some(rounded)
+    }
+}
+
+/// The largest power of two that is not above x > 0.
+fn power_of_two_below(x: f64) -> f64 {
+    f64::from_bits(x.to_bits() & !((1 << (MOST_BITS - 1)) - 1))
+}
+
+/// a + b, and what rounding takes of it (Knuth).
+fn two_sum(a: f64, b: f64) -> (f64, f64) {
+    let sum = a + b;
+    let of_b = sum - a;
+    (sum, (a - (sum - of_b)) + (b - of_b))
+}
+
+/// a·b, and what rounding takes of it (Dekker).
+fn two_product(a: f64, b: f64) -> (f64, f64) {
+    let halves = |x: f64| {
+        // 2²⁷ + 1.
+        let shifted = x * 134_217_729.0;
+        let high = shifted - (shifted - x);
+        (high, x - high)
+    };
+    let product = a * b;
+    let ((a1, a2), (b1, b2)) = (halves(a), halves(b));
+    let error = ((a1 * b1 - product) + a1 * b2 + a2 * b1) + a2 * b2;
+    (product, error)
+}
