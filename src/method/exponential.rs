@@ -1,6 +1,8 @@
 //! The exponential of the optical depth: exact, or a Taylor polynomial.
 
-use crate::real::{Format, Real};
+use super::Inner;
+use crate::real::{Format, Real, row};
+use rug::Rational;
 use std::fmt;
 
 /// How exp(−x) is computed.
@@ -60,6 +62,32 @@ impl Exponential {
             (Exponential::Quadratic, Scope::PerSegment) => Some(2.0),
             (Exponential::Cubic, Scope::PerSegment) => Some(3.0),
         }
+    }
+}
+
+/// Which depths of a level a row holds.
+#[derive(Clone, Debug, PartialEq, Eq, Hash)]
+pub(crate) struct Row {
+    /// The rule that they are by.
+    pub(crate) inner: Inner,
+    /// From the front of the ray, or of each segment.
+    pub(crate) scope: Scope,
+    /// Up to that part of each segment; up to boundaries where there is none.
+    pub(crate) offset: Option<Rational>,
+}
+
+/// Who takes the exponentials of a level, row by row.
+pub(crate) trait Exponentials<R: Real> {
+    /// E(−x) for each x of `depths`, which are those of `row`.
+    fn of_negatives(&self, exponential: Exponential, row: Row, depths: &[R]) -> Vec<R>;
+}
+
+/// Each by itself, as [`Exponential::of_negative`] has it.
+pub(crate) struct Alone;
+
+impl<R: Real> Exponentials<R> for Alone {
+    fn of_negatives(&self, exponential: Exponential, _: Row, depths: &[R]) -> Vec<R> {
+        row(depths.iter().map(|depth| exponential.of_negative(depth)))
     }
 }
 

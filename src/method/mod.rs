@@ -26,6 +26,7 @@ pub use compositing::{
 pub use error::MethodError;
 pub use expected::Expected;
 pub use exponential::{Exponential, Scope};
+pub(crate) use exponential::{Exponentials, Row};
 pub use inner::{Filling, Inner, OpticalDepth};
 pub use layers::{Bezier, Degree, Layers, Limiter};
 pub use level::Level;

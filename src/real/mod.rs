@@ -20,6 +20,7 @@ pub use any::AnyReal;
 pub use counted::{Counted, CountedReal, Counts};
 pub use fixed::{Fixed, FixedReal, MAX_FRACTION, MAX_INTEGER};
 pub use ieee::{Ieee, IeeeReal, MAX_EXPONENT, MAX_IEEE_BITS, Overflow};
+pub(crate) use mpfr::Near;
 pub use mpfr::{Mpfr, MpfrReal};
 pub use name::{FormatError, FormatName, MAX_BITS, MIN_BITS, WithFormat};
 pub use native::{Native, NativeFloat};
@@ -159,6 +160,11 @@ pub trait Real:
             }
             None => Float::with_val(self.format().bits().max(MIN_BITS), Special::Nan),
         }
+    }
+
+    /// The value as an MPFR number of so many bits, rounded where they are too few.
+    fn to_float_of(&self, bits: u32) -> Float {
+        Float::with_val(bits, self.to_float())
     }
 
     /// log₂|x| in binary64, −∞ for 0: survives magnitudes far outside binary64's range.

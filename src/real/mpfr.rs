@@ -1,5 +1,9 @@
 //! MPFR of any precision, given at run time.
 
+mod near;
+
+pub(crate) use near::Near;
+
 use super::{Format, Real};
 use rug::float::{Constant, MiniFloat};
 use rug::{Float, Rational};
@@ -165,6 +169,9 @@ impl Real for MpfrReal {
     }
     fn to_float(&self) -> Float {
         self.0.clone()
+    }
+    fn to_float_of(&self, bits: u32) -> Float {
+        Float::with_val(bits, &self.0)
     }
     fn log2_abs(&self) -> f64 {
         // Mantissa and exponent apart: neither a rounded logarithm nor binary64's range is in the way.

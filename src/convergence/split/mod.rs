@@ -40,10 +40,12 @@
 //! ```
 
 mod cell;
+mod known;
 mod oracle;
 mod parts;
 mod ran;
 mod trace;
+mod without_rounding;
 
 pub use cell::{Cell, Split};
 pub use oracle::Oracle;

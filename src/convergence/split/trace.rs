@@ -3,13 +3,15 @@
 use super::parts::Measured;
 use super::ran::{Ran, run};
 use crate::case::{AnyNodes, Case, Nodes, Recorded, Recording, Replayed};
-use crate::method::{Level, Method, MethodError, Stop};
+use crate::method::{Level, Method, MethodError, Nested, Stop};
 use crate::real::{Format, Real, row};
 use rug::Float;
 
 /// What methods gave, and the inputs they used.
 pub(super) struct Trace<'a> {
     pub(super) measured: Vec<Result<Measured, MethodError>>,
+    /// T wherever sums look, in rows, each once for all methods that look there.
+    pub(super) transmittances: Vec<Vec<Vec<Float>>>,
     pub(super) recording: Recording<'a>,
     /// Whether a replay stood on the same side of every jump and kink.
     pub(super) took_the_sides_of: Box<dyn Fn(&Replayed<'_>) -> bool + 'a>,
@@ -51,13 +53,25 @@ impl<C: Case, F: Format> Traced for Ray<'_, C, F> {
             .map(|method| run(&mut level, method, Stop::AsDeclared)));
         // What is asked for from here on is no part of the run.
         let recording = recorded.recording();
-        let mut measure = |method, ran: Result<Ran<F::Real>, MethodError>| {
+        let mut transmittances: Vec<Vec<Vec<Float>>> = Vec::new();
+        let mut shared: Vec<(Method, usize)> = Vec::new();
+        let mut measure = |method: &Method, ran: Result<Ran<F::Real>, MethodError>| {
             let ran = ran?;
-            let rows = level.transmittances(method)?;
+            let same = shared.iter().find(|(other, _)| looks_alike(other, method));
+            let index = if let Some((_, index)) = same {
+                Some(*index)
+            } else {
+                let rows = level.transmittances(method)?;
+                (!rows.is_empty()).then(|| {
+                    transmittances.push(row(rows.iter().map(|values| floats(values))));
+                    shared.push((*method, transmittances.len() - 1));
+                    transmittances.len() - 1
+                })
+            };
             Ok(Measured {
                 radiance: ran.radiance.to_float(),
                 stopped: ran.stopped,
-                transmittances: row(rows.iter().map(|values| floats(values))),
+                transmittances: index,
             })
         };
         let both = methods.iter().zip(runs);
@@ -66,6 +80,7 @@ impl<C: Case, F: Format> Traced for Ray<'_, C, F> {
         let case = self.case;
         Trace {
             measured,
+            transmittances,
             recording,
             took_the_sides_of: Box::new(move |replayed| recorded.took_the_sides_of(case, replayed)),
         }
@@ -75,6 +90,18 @@ impl<C: Case, F: Format> Traced for Ray<'_, C, F> {
         let mut level = Level::of_any(self.nodes, self.n);
         let ran = run(&mut level, method, Stop::AsDeclared)?;
         Ok(ran.radiance.to_float())
+    }
+}
+
+/// Whether the sums of both look at the same transmittances: those at boundaries, by the same inner rule and exponential.
+fn looks_alike(a: &Method, b: &Method) -> bool {
+    match (a, b) {
+        (Method::Nested(a), Method::Nested(b)) => {
+            let closed = a.outer.0.intervals().is_some() && b.outer.0.intervals().is_some();
+            let of = |nested: &Nested| (nested.inner, nested.exponential, nested.scope);
+            closed && of(a) == of(b)
+        }
+        _ => false,
     }
 }
 
