@@ -3,6 +3,7 @@
 mod kept;
 
 use super::exponential::{Alone, Exponentials};
+use super::outer::GroupSums;
 use super::{
     Attenuation, Color, Exponential, Inner, Method, MethodError, Nested, Opacity, Outer,
     Preintegrated, Scope, Stop, Transmittances, composite,
@@ -23,7 +24,8 @@ type Way = (Inner, Exponential, Scope);
 pub struct Level<'a, F: Format> {
     nodes: AnyNodes<'a, F>,
     n: u64,
-    exponentials: &'a dyn Exponentials<F::Real>,
+    /// Who takes exponentials, where that is not the format's own function; sums may then be taken in any order too.
+    shortcut: Option<&'a dyn Exponentials<F::Real>>,
     attenuations: Kept<Way, Attenuation<F::Real>>,
     /// T inside segments, a row for each node of the outer rule.
     inside: Kept<(Way, Outer), Vec<Vec<F::Real>>>,
@@ -31,6 +33,8 @@ pub struct Level<'a, F: Format> {
     sources: Kept<(), Vec<F::Real>>,
     /// C τ T there.
     terms: Kept<Way, Vec<F::Real>>,
+    /// Those, summed up.
+    sums: Kept<Way, GroupSums<F::Real>>,
     colors: Kept<Color, Vec<F::Real>>,
     opacities: Kept<Opacity, Vec<F::Real>>,
 }
@@ -44,23 +48,29 @@ impl<'a, F: Format> Level<'a, F> {
     /// The same of nodes whose kind is not known.
     #[must_use]
     pub fn of_any(nodes: AnyNodes<'a, F>, n: u64) -> Self {
-        Self::taking(nodes, n, &Alone)
+        Self::by(nodes, n, None)
     }
 
-    /// The same, where the exponentials of nested rules are taken by somebody else.
-    pub(crate) fn taking(
+    /// The same to the last few places alone, of nested rules: exponentials are taken by somebody who knows some that are near,
+    /// and terms are summed up once for all outer rules.
+    pub(crate) fn nearly(
         nodes: AnyNodes<'a, F>,
         n: u64,
         exponentials: &'a dyn Exponentials<F::Real>,
     ) -> Self {
+        Self::by(nodes, n, Some(exponentials))
+    }
+
+    fn by(nodes: AnyNodes<'a, F>, n: u64, shortcut: Option<&'a dyn Exponentials<F::Real>>) -> Self {
         Level {
             nodes,
             n,
-            exponentials,
+            shortcut,
             attenuations: Kept::new(),
             inside: Kept::new(),
             sources: Kept::new(),
             terms: Kept::new(),
+            sums: Kept::new(),
             colors: Kept::new(),
             opacities: Kept::new(),
         }
@@ -162,27 +172,41 @@ impl<'a, F: Format> Level<'a, F> {
         let (nodes, n, outer) = (self.nodes, self.n, method.outer);
         match outer.0.intervals() {
             Some(intervals) => {
-                outer.radiance_of_terms(&nodes, n, self.terms(method)?, intervals)
+                let way = way(method);
+                let is_exact = self.shortcut.is_none();
+                let terms = self.terms(method)?;
+                if is_exact {
+                    return outer.radiance_of_terms(&nodes, n, terms, intervals);
+                }
+                let terms = self.terms.find(|known| *known == way);
+                let terms = terms.map_or(&[][..], |terms| terms);
+                let zero = nodes.format().int(0);
+                let sums = self
+                    .sums
+                    .get_or_compute(way, |_| Ok::<_, MethodError>(GroupSums::new(terms, &zero)))?;
+                let summed = outer.radiance_of_sums(&nodes, n, sums);
+                summed.unwrap_or_else(|| outer.radiance_of_terms(&nodes, n, terms, intervals))
             }
             None => outer.radiance_under(&nodes, n, &borrowed(self.inside(method)?)),
         }
     }
 
-    /// C τ T at boundaries under transmittances from elsewhere: what [`Level::radiance_of_terms`] of all outer rules shares.
-    pub(crate) fn terms_under(&mut self, transmittances: &[F::Real]) -> Vec<F::Real> {
+    /// C τ T at boundaries under transmittances from elsewhere, summed up: what [`Level::radiance_of_sums`] of all outer rules
+    /// shares.
+    pub(crate) fn sums_under(&mut self, transmittances: &[F::Real]) -> GroupSums<F::Real> {
         let sources = Self::sources(&mut self.sources, self.nodes, self.n);
         let both = sources.iter().zip(transmittances);
-        row(both.map(|(source, t)| source.clone() * t))
+        let terms = row(both.map(|(source, t)| source.clone() * t));
+        GroupSums::new(&terms, &self.nodes.format().int(0))
     }
 
-    /// The radiance of C τ T at boundaries; `None` where the outer rule looks elsewhere.
-    pub(crate) fn radiance_of_terms(
+    /// The radiance of C τ T at boundaries, summed up; `None` where the outer rule has another use for them.
+    pub(crate) fn radiance_of_sums(
         &self,
         outer: Outer,
-        terms: &[F::Real],
+        sums: &GroupSums<F::Real>,
     ) -> Option<Result<F::Real, MethodError>> {
-        let intervals = outer.0.intervals()?;
-        Some(outer.radiance_of_terms(&self.nodes, self.n, terms, intervals))
+        outer.radiance_of_sums(&self.nodes, self.n, sums)
     }
 
     /// C τ at boundaries.
@@ -204,9 +228,9 @@ impl<'a, F: Format> Level<'a, F> {
 
     /// T inside segments.
     fn inside(&mut self, method: &Nested) -> Result<&[Vec<F::Real>], MethodError> {
-        let (nodes, outer, by) = (self.nodes, method.outer, self.exponentials);
+        let (nodes, outer, by) = (self.nodes, method.outer, self.exponentials());
         self.attenuation(method)?;
-        let way = (method.inner, method.exponential, method.scope);
+        let way = way(method);
         let attenuations = &self.attenuations;
         let rows = self.inside.get_or_compute((way, outer), |_| {
             let table = outer.0.table(nodes.format().bits())?;
@@ -224,7 +248,7 @@ impl<'a, F: Format> Level<'a, F> {
     fn terms(&mut self, method: &Nested) -> Result<&[F::Real], MethodError> {
         self.attenuation(method)?;
         let sources = Self::sources(&mut self.sources, self.nodes, self.n);
-        let way = (method.inner, method.exponential, method.scope);
+        let way = way(method);
         let attenuations = &self.attenuations;
         let terms = self.terms.get_or_compute(way, |_| {
             let transmittances = attenuations.find(|known| *known == way);
@@ -236,14 +260,9 @@ impl<'a, F: Format> Level<'a, F> {
     }
 
     fn attenuation(&mut self, method: &Nested) -> Result<&Attenuation<F::Real>, MethodError> {
-        let Nested {
-            inner,
-            exponential,
-            scope,
-            ..
-        } = *method;
-        let (nodes, n, by) = (self.nodes, self.n, self.exponentials);
-        let key = (inner, exponential, scope);
+        let key = way(method);
+        let (inner, exponential, scope) = key;
+        let (nodes, n, by) = (self.nodes, self.n, self.exponentials());
         self.attenuations.get_or_compute(key, |kept| {
             let same_depth = kept.find(|(other, ..)| *other == inner);
             match same_depth {
@@ -251,6 +270,10 @@ impl<'a, F: Format> Level<'a, F> {
                 None => Attenuation::by(inner, exponential, scope, &nodes, n, by),
             }
         })
+    }
+
+    fn exponentials(&self) -> &'a dyn Exponentials<F::Real> {
+        self.shortcut.unwrap_or(&Alone)
     }
 
     fn color(&mut self, color: Color) -> Result<&[F::Real], MethodError> {
@@ -275,6 +298,10 @@ impl<'a, F: Format> Level<'a, F> {
             _ => method.radiance(&self.nodes, self.n),
         }
     }
+}
+
+fn way(method: &Nested) -> Way {
+    (method.inner, method.exponential, method.scope)
 }
 
 /// Rows of transmittances as outer rules take them.

@@ -33,6 +33,7 @@ pub use level::Level;
 pub use limit::{Limit, Part};
 pub use name::MethodNameError;
 pub use nested::Nested;
+pub(crate) use outer::GroupSums;
 pub use outer::{Outer, Transmittances};
 #[cfg(feature = "studies")]
 pub(crate) use preintegrated::attenuated_integral;

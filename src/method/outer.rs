@@ -130,6 +130,34 @@ impl Outer {
         Ok(sum * &format.ratio(&(Rational::from(nodes.length()) / n)))
     }
 
+    /// The same of such terms summed up by what weights have in common: other roundings, and no work that grows with n.
+    /// `None` where the rule's weights do not go by the place in a group of [`GROUP`].
+    pub(super) fn radiance_of_sums<N: Nodes>(
+        self,
+        nodes: &N,
+        n: u64,
+        sums: &GroupSums<Number<N>>,
+    ) -> Option<Result<Number<N>, MethodError>> {
+        let intervals = self.0.intervals()?;
+        let group = usize::try_from(intervals).ok()?;
+        if group == 0 || GROUP % group != 0 {
+            return None;
+        }
+        let format = nodes.format();
+        let weighted = require_multiple(&self.0, n, self.segments_multiple()).and_then(|()| {
+            let weights = CompositeWeights::new(self.0, intervals, format)?;
+            let mut sum = sums.first.clone() * &weights.first;
+            for (place, part) in sums.inside.iter().enumerate() {
+                if let Some(weight) = weights.repeating.get(place % group) {
+                    sum += &(part.clone() * weight);
+                }
+            }
+            sum += &(sums.last.clone() * &weights.last);
+            Ok(sum * &format.ratio(&(Rational::from(nodes.length()) / n)))
+        });
+        Some(weighted)
+    }
+
     /// ∑ₖ wₖ ∑ⱼ C τ T at the nodes inside the segments, in units of the step.
     fn inside_segments<N: Nodes>(
         self,
@@ -150,6 +178,36 @@ impl Outer {
             sum += &(part * &format.ratio(weight));
         }
         Ok(sum)
+    }
+}
+
+/// Weights of closed rules repeat after so many segments, or a part of that.
+const GROUP: usize = 4;
+
+/// C τ T at boundaries, summed up: all that outer rules need that weigh them by their place in a group.
+pub(crate) struct GroupSums<R> {
+    first: R,
+    /// Of the boundaries between the ends, by their number modulo [`GROUP`].
+    inside: [R; GROUP],
+    last: R,
+}
+
+impl<R: Real> GroupSums<R> {
+    pub(super) fn new(terms: &[R], zero: &R) -> Self {
+        let mut inside: [R; GROUP] = std::array::from_fn(|_| zero.clone());
+        let between = terms
+            .get(1..terms.len().saturating_sub(1))
+            .unwrap_or_default();
+        for (i, term) in between.iter().enumerate() {
+            // The first of these is boundary 1.
+            inside[(i + 1) % GROUP] += term;
+        }
+        let end = |term: Option<&R>| term.unwrap_or(zero).clone();
+        GroupSums {
+            first: end(terms.first()),
+            inside,
+            last: end(terms.last()),
+        }
     }
 }
 

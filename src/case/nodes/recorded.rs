@@ -142,9 +142,8 @@ impl<F: Format> Exactly for Numbers<'_, F> {
             None => self.0.boundaries(n),
             Some(offset) => self.0.interior(n, offset),
         };
-        let numbers = |values: &[F::Real]| {
-            row(values.iter().map(|x| MpfrReal::from(x.to_float_of(bits))))
-        };
+        let numbers =
+            |values: &[F::Real]| row(values.iter().map(|x| MpfrReal::from(x.to_float_of(bits))));
         Column {
             field: numbers(&column.field),
             emission: numbers(&column.emission),

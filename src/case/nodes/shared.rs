@@ -153,9 +153,15 @@ fn in_lowest_terms((numerator, denominator): (u64, u64)) -> (u64, u64) {
 }
 
 /// The greatest common divisor; of 0 and b it is b.
-pub(crate) fn gcd(mut a: u64, mut b: u64) -> u64 {
+pub(crate) fn gcd(a: u64, b: u64) -> u64 {
+    if a == 0 || b == 0 {
+        return a | b;
+    }
+    // Powers of two, of which ladders are mostly made, come off without divisions.
+    let twos = (a | b).trailing_zeros();
+    let (mut a, mut b) = (a >> a.trailing_zeros(), b >> b.trailing_zeros());
     while b != 0 {
         (a, b) = (b, a % b);
     }
-    a
+    a << twos
 }

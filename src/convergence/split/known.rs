@@ -1,7 +1,7 @@
 //! Exponentials of a level without rounding, kept for those who come near: replays, whose depths differ by an input's rounding.
 
 use crate::method::{Exponential, Exponentials, Row};
-use crate::real::{Mpfr, MpfrReal, Near, row};
+use crate::real::{Mpfr, MpfrReal, Near, Real, row};
 use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
 
 /// Depths and their exponentials.
@@ -37,9 +37,36 @@ impl Known {
         let found = rows.iter().find(|(row, _)| row == wanted);
         found.map(|(_, values)| Arc::clone(values))
     }
+
+    /// The row of the same places by another rule whose depth at the far end is nearest.
+    fn nearest(&self, of: &Row, depths: &[MpfrReal]) -> Option<Arc<Values>> {
+        let end = depths.last()?;
+        let distance = |values: &Values| {
+            let other = values.depths.last()?;
+            Some((end.clone() - other).log2_abs())
+        };
+        let rows = self.rows();
+        let alike = rows.iter().filter(|(row, values)| {
+            let same = (&row.scope, &row.offset) == (&of.scope, &of.offset);
+            same && values.depths.len() == depths.len()
+        });
+        let with = alike.filter_map(|(_, values)| Some((distance(values)?, values)));
+        let nearest = with.min_by(|(a, _), (b, _)| a.total_cmp(b));
+        nearest.map(|(_, values)| Arc::clone(values))
+    }
+
+    /// Exponentials of depths beside known ones, one by one where a series is quicker than a function.
+    fn beside(&self, known: &Values, depths: &[MpfrReal]) -> Vec<MpfrReal> {
+        let mut near = Near::new(self.format.bits);
+        let both = known.depths.iter().zip(&known.exponentials);
+        row(depths.iter().zip(both).map(|(x, (y, of_y))| {
+            let beside = near.exp_of_negative(x, y, of_y);
+            beside.unwrap_or_else(|| Exponential::Exact.of_negative(x))
+        }))
+    }
 }
 
-/// The level without rounding itself: each row by itself, and kept.
+/// The level without rounding itself: depths by one rule lie near those by another, and all are kept.
 pub(super) struct First<'k>(pub(super) &'k Known);
 
 impl Exponentials<MpfrReal> for First<'_> {
@@ -49,15 +76,18 @@ impl Exponentials<MpfrReal> for First<'_> {
         of: Row,
         depths: &[MpfrReal],
     ) -> Vec<MpfrReal> {
-        let plain = row(depths.iter().map(|depth| exponential.of_negative(depth)));
-        if exponential == Exponential::Exact {
-            let values = Values {
-                depths: depths.to_vec(),
-                exponentials: plain.clone(),
-            };
-            self.0.rows().push((of, Arc::new(values)));
+        if exponential != Exponential::Exact {
+            return each(exponential, depths);
         }
-        plain
+        let values = Arc::new(Values {
+            depths: depths.to_vec(),
+            exponentials: match self.0.nearest(&of, depths) {
+                Some(known) => self.0.beside(&known, depths),
+                None => each(exponential, depths),
+            },
+        });
+        self.0.rows().push((of, Arc::clone(&values)));
+        values.exponentials.clone()
     }
 }
 
@@ -71,16 +101,15 @@ impl Exponentials<MpfrReal> for Again<'_> {
         of: Row,
         depths: &[MpfrReal],
     ) -> Vec<MpfrReal> {
-        let known = self.0.find(&of);
-        let known = known.filter(|known| known.depths.len() == depths.len());
-        let (Some(known), Exponential::Exact) = (known, exponential) else {
-            return row(depths.iter().map(|depth| exponential.of_negative(depth)));
-        };
-        let mut near = Near::new(self.0.format.bits);
-        let both = known.depths.iter().zip(&known.exponentials);
-        row(depths.iter().zip(both).map(|(x, (y, of_y))| {
-            let beside = near.exp_of_negative(x, y, of_y);
-            beside.unwrap_or_else(|| exponential.of_negative(x))
-        }))
+        match (self.0.find(&of), exponential) {
+            (Some(known), Exponential::Exact) if known.depths.len() == depths.len() => {
+                self.0.beside(&known, depths)
+            }
+            _ => each(exponential, depths),
+        }
     }
+}
+
+fn each(exponential: Exponential, depths: &[MpfrReal]) -> Vec<MpfrReal> {
+    row(depths.iter().map(|depth| exponential.of_negative(depth)))
 }

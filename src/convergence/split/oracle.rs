@@ -7,7 +7,7 @@ use super::ran::{follow, run};
 use super::trace::{Ray, Trace, Traced};
 use super::without_rounding::WithoutRounding;
 use crate::case::{AnyNodes, Case, Nodes, Replayed, Shared};
-use crate::method::{Level, Method, MethodError};
+use crate::method::{GroupSums, Level, Method, MethodError};
 use crate::real::{Mpfr, MpfrReal};
 use crate::reference::{self, Reference, ReferenceError};
 use rug::{Float, Rational};
@@ -218,17 +218,20 @@ impl<'c, C: Case> Oracle<'c, C> {
             reference: self.reference(bits)?,
             is_enough: bits >= 2 * first,
         };
-        let judged = places.iter().zip(followed).filter_map(|(&place, followed)| {
-            let measured = trace.measured.get(place)?.as_ref();
-            let index = start + place;
-            let exact = level.of(index)?;
-            let judge = || -> Result<Judged, MethodError> {
-                let probed = self.probed(first, index) >> (bits - first);
-                let measured = measured.map_err(Clone::clone)?;
-                Ok(parts::judge(measured, &exact?, &followed?, &with, &probed))
-            };
-            Some(judge())
-        });
+        let judged = places
+            .iter()
+            .zip(followed)
+            .filter_map(|(&place, followed)| {
+                let measured = trace.measured.get(place)?.as_ref();
+                let index = start + place;
+                let exact = level.of(index)?;
+                let judge = || -> Result<Judged, MethodError> {
+                    let probed = self.probed(first, index) >> (bits - first);
+                    let measured = measured.map_err(Clone::clone)?;
+                    Ok(parts::judge(measured, &exact?, &followed?, &with, &probed))
+                };
+                Some(judge())
+            });
         Ok(Some(judged.collect()))
     }
 
@@ -238,7 +241,9 @@ impl<'c, C: Case> Oracle<'c, C> {
         let level = level.get_or_init(|| Arc::new(WithoutRounding::new(Mpfr { bits })));
         let nodes = slot(&self.nodes, bits);
         let nodes = nodes.get_or_init(|| Shared::new(self.case, Mpfr { bits }));
-        let methods = indices.iter().filter_map(|&index| Some((index, self.methods.get(index)?)));
+        let methods = indices
+            .iter()
+            .filter_map(|&index| Some((index, self.methods.get(index)?)));
         level.run(nodes, n, methods);
         Arc::clone(level)
     }
@@ -289,7 +294,7 @@ fn follow_all(
     known: &Known,
 ) -> Vec<Result<Followed, MethodError>> {
     let again = Again(known);
-    let mut level = Level::taking(AnyNodes::new(inputs), n, &again);
+    let mut level = Level::nearly(AnyNodes::new(inputs), n, &again);
     let asked: Vec<(&Method, Result<&Measured, MethodError>)> = places
         .iter()
         .filter_map(|&place| {
@@ -331,7 +336,7 @@ struct Under<'a> {
     trace: &'a Trace<'a>,
     format: Mpfr,
     /// C τ T at boundaries, which outer rules share.
-    kept: BTreeMap<usize, Vec<MpfrReal>>,
+    kept: BTreeMap<usize, GroupSums<MpfrReal>>,
 }
 
 impl Under<'_> {
@@ -344,14 +349,17 @@ impl Under<'_> {
         let rows = self.trace.transmittances.get(index);
         let rows = rows.map_or(&[][..], |rows| rows);
         if let (Method::Nested(nested), [at_boundaries]) = (method, rows) {
-            let terms = self.kept.entry(index).or_insert_with(|| {
-                level.terms_under(&numbers(at_boundaries, self.format))
-            });
-            if let Some(radiance) = level.radiance_of_terms(nested.outer, terms) {
+            let sums = self
+                .kept
+                .entry(index)
+                .or_insert_with(|| level.sums_under(&numbers(at_boundaries, self.format)));
+            if let Some(radiance) = level.radiance_of_sums(nested.outer, sums) {
                 return radiance;
             }
         }
-        let rows = rows.iter().map(|values| Cow::Owned(numbers(values, self.format)));
+        let rows = rows
+            .iter()
+            .map(|values| Cow::Owned(numbers(values, self.format)));
         let rows: Vec<Cow<'_, [MpfrReal]>> = rows.collect();
         level.radiance_under(method, &rows)
     }

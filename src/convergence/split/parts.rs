@@ -89,7 +89,9 @@ pub(super) fn judge(
     let is_hidden = |part: &&Float| part.cmp_abs(&resolution).is_some_and(|order| order.is_le());
     // The same numbers by the same way differ by nothing at all.
     let is_nothing = |part: &&Float| part.is_zero() && !std::ptr::eq(*part, &discretization);
-    let open: Vec<&Float> = parts.filter(|part| !is_nothing(part) && !is_shown(part)).collect();
+    let open: Vec<&Float> = parts
+        .filter(|part| !is_nothing(part) && !is_shown(part))
+        .collect();
     let hidden = open.iter().filter(|part| is_hidden(part)).count();
     if hidden < open.len() || (hidden > 0 && !with.is_enough) {
         return Judged::MoreBits {
@@ -124,12 +126,16 @@ pub(super) fn judge(
 fn resolution(scale: &Float, of_run: &Float, probed: &Float, with: &With) -> Float {
     let a_priori = (Float::with_val(64, scale) * ROUNDINGS * with.n) >> with.bits;
     let measured = [of_run, probed].map(|error| Float::with_val(64, error) << LUCK_BITS);
-    let all = measured.into_iter().chain([Float::with_val(64, &with.reference.error)]);
+    let all = measured
+        .into_iter()
+        .chain([Float::with_val(64, &with.reference.error)]);
     all.fold(a_priori.abs(), |a, b| if b > a { b } else { a })
 }
 
 fn sum_of_magnitudes<'a>(values: impl Iterator<Item = &'a Float>) -> Float {
-    values.fold(Float::new(64), |sum, x| sum + Float::with_val(64, x.abs_ref()))
+    values.fold(Float::new(64), |sum, x| {
+        sum + Float::with_val(64, x.abs_ref())
+    })
 }
 
 fn largest(values: [&Float; 3]) -> &Float {

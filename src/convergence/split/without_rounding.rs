@@ -34,7 +34,10 @@ impl WithoutRounding {
         // Held while methods run: who comes second wants the same.
         let mut kept = self.methods();
         let first = First(&self.known);
-        let mut level = Level::taking(AnyNodes::new(nodes), n, &first);
+        let mut level = Level::nearly(AnyNodes::new(nodes), n, &first);
+        // The best depths first: others lie near them.
+        let mut methods: Vec<(usize, &Method)> = methods.collect();
+        methods.sort_by(|(_, a), (_, b)| inner_order(b).total_cmp(&inner_order(a)));
         for (index, method) in methods {
             kept.entry(index)
                 .or_insert_with(|| exact(&mut level, method));
@@ -49,5 +52,13 @@ impl WithoutRounding {
     fn methods(&self) -> MutexGuard<'_, BTreeMap<usize, Result<Exact, MethodError>>> {
         // Entries go in whole, so a poisoned map is still sound.
         self.methods.lock().unwrap_or_else(PoisonError::into_inner)
+    }
+}
+
+/// The order of the depths that a method takes exponentials of.
+fn inner_order(method: &Method) -> f64 {
+    match method {
+        Method::Nested(nested) => nested.inner.order(None).unwrap_or(f64::INFINITY),
+        _ => 0.0,
     }
 }
