@@ -1,10 +1,11 @@
 //! The transmittance along a ray, from an inner rule and an exponential.
 
-use super::exponential::{Alone, Exponentials, Row};
+use super::exponential::{Alone, Depths, Exponentials, Row};
 use super::{Exponential, Inner, MethodError, OpticalDepth, Scope};
 use crate::case::Nodes;
 use crate::real::{Format, Real};
 use rug::Rational;
+use std::sync::Arc;
 
 /// The transmittance along a ray of n segments: what outer rules of one inner rule share.
 #[derive(Debug)]
@@ -14,8 +15,8 @@ pub struct Attenuation<R: Real> {
     scope: Scope,
     format: R::Format,
     n: u64,
-    depth: OpticalDepth<R>,
-    boundaries: Vec<R>,
+    depth: Arc<OpticalDepth<R>>,
+    boundaries: Arc<Vec<R>>,
 }
 
 impl<R: Real> Attenuation<R> {
@@ -42,7 +43,7 @@ impl<R: Real> Attenuation<R> {
         n: u64,
         by: &dyn Exponentials<R>,
     ) -> Result<Self, MethodError> {
-        let depth = inner.depth(nodes, n)?;
+        let depth = Arc::new(inner.depth(nodes, n)?);
         let way = (inner, exponential, scope);
         Ok(Self::of_depth(way, nodes.format(), n, depth, by))
     }
@@ -51,7 +52,7 @@ impl<R: Real> Attenuation<R> {
         (inner, exponential, scope): (Inner, Exponential, Scope),
         format: R::Format,
         n: u64,
-        depth: OpticalDepth<R>,
+        depth: Arc<OpticalDepth<R>>,
         by: &dyn Exponentials<R>,
     ) -> Self {
         let of = Row {
@@ -60,16 +61,20 @@ impl<R: Real> Attenuation<R> {
             offset: None,
         };
         let boundaries = match scope {
-            Scope::Whole => by.of_negatives(exponential, of, &depth.boundaries),
+            Scope::Whole => {
+                let depths = Depths::Boundaries(Arc::clone(&depth));
+                by.of_negatives(exponential, of, depths)
+            }
             Scope::PerSegment => {
+                let depths = Depths::Segments(Arc::clone(&depth));
                 let mut transmittance = format.int(1);
                 let mut boundaries = Vec::with_capacity(depth.boundaries.len());
                 boundaries.push(transmittance.clone());
-                for segment in by.of_negatives(exponential, of, &depth.segments) {
-                    transmittance *= &segment;
+                for segment in by.of_negatives(exponential, of, depths).iter() {
+                    transmittance *= segment;
                     boundaries.push(transmittance.clone());
                 }
-                boundaries
+                Arc::new(boundaries)
             }
         };
         Attenuation {
@@ -96,7 +101,7 @@ impl<R: Real> Attenuation<R> {
         scope: Scope,
         by: &dyn Exponentials<R>,
     ) -> Self {
-        let depth = self.depth.clone();
+        let depth = Arc::clone(&self.depth);
         let way = (self.inner, exponential, scope);
         Self::of_depth(way, self.format, self.n, depth, by)
     }
@@ -145,9 +150,10 @@ impl<R: Real> Attenuation<R> {
                 *part += front;
             }
         }
-        let mut inside = by.of_negatives(self.exponential, of, &partial);
+        let inside = by.of_negatives(self.exponential, of, Depths::Inside(partial));
+        let mut inside = Arc::unwrap_or_clone(inside);
         if self.scope == Scope::PerSegment {
-            for (part, front) in inside.iter_mut().zip(&self.boundaries) {
+            for (part, front) in inside.iter_mut().zip(self.boundaries.iter()) {
                 *part *= front;
             }
         }

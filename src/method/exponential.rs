@@ -1,9 +1,10 @@
 //! The exponential of the optical depth: exact, or a Taylor polynomial.
 
-use super::Inner;
+use super::{Inner, OpticalDepth};
 use crate::real::{Format, Real, row};
 use rug::Rational;
 use std::fmt;
+use std::sync::Arc;
 
 /// How exp(−x) is computed.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
@@ -50,6 +51,11 @@ impl Exponential {
         sum
     }
 
+    /// E(−x) of each.
+    pub(crate) fn of_negatives<R: Real>(self, depths: &[R]) -> Vec<R> {
+        row(depths.iter().map(|depth| self.of_negative(depth)))
+    }
+
     /// The order that this contributes to a method: a degree k polynomial per segment leaves
     /// O(d^(k+1)) in each of n = D/d segments, hence k; of the whole depth it leaves a constant, 0.
     /// `None` where it contributes no error.
@@ -76,18 +82,40 @@ pub(crate) struct Row {
     pub(crate) offset: Option<Rational>,
 }
 
+/// Depths in a row, shared by those who keep them.
+#[derive(Debug)]
+pub(crate) enum Depths<R> {
+    /// From the front of the ray to each boundary.
+    Boundaries(Arc<OpticalDepth<R>>),
+    /// Of each segment.
+    Segments(Arc<OpticalDepth<R>>),
+    /// Into each segment.
+    Inside(Vec<R>),
+}
+
+impl<R> Depths<R> {
+    /// One after the other.
+    pub(crate) fn values(&self) -> &[R] {
+        match self {
+            Depths::Boundaries(depth) => &depth.boundaries,
+            Depths::Segments(depth) => &depth.segments,
+            Depths::Inside(depths) => depths,
+        }
+    }
+}
+
 /// Who takes the exponentials of a level, row by row.
 pub(crate) trait Exponentials<R: Real> {
     /// E(−x) for each x of `depths`, which are those of `row`.
-    fn of_negatives(&self, exponential: Exponential, row: Row, depths: &[R]) -> Vec<R>;
+    fn of_negatives(&self, exponential: Exponential, row: Row, depths: Depths<R>) -> Arc<Vec<R>>;
 }
 
 /// Each by itself, as [`Exponential::of_negative`] has it.
 pub(crate) struct Alone;
 
 impl<R: Real> Exponentials<R> for Alone {
-    fn of_negatives(&self, exponential: Exponential, _: Row, depths: &[R]) -> Vec<R> {
-        row(depths.iter().map(|depth| exponential.of_negative(depth)))
+    fn of_negatives(&self, exponential: Exponential, _: Row, depths: Depths<R>) -> Arc<Vec<R>> {
+        Arc::new(exponential.of_negatives(depths.values()))
     }
 }
 

@@ -24,8 +24,9 @@ type Way = (Inner, Exponential, Scope);
 pub struct Level<'a, F: Format> {
     nodes: AnyNodes<'a, F>,
     n: u64,
-    /// Who takes exponentials, where that is not the format's own function; sums may then be taken in any order too.
-    shortcut: Option<&'a dyn Exponentials<F::Real>>,
+    exponentials: &'a dyn Exponentials<F::Real>,
+    /// Whether terms are summed up once for all outer rules.
+    sums_are_shared: bool,
     attenuations: Kept<Way, Attenuation<F::Real>>,
     /// T inside segments, a row for each node of the outer rule.
     inside: Kept<(Way, Outer), Vec<Vec<F::Real>>>,
@@ -48,7 +49,7 @@ impl<'a, F: Format> Level<'a, F> {
     /// The same of nodes whose kind is not known.
     #[must_use]
     pub fn of_any(nodes: AnyNodes<'a, F>, n: u64) -> Self {
-        Self::by(nodes, n, None)
+        Self::taking(nodes, n, &Alone)
     }
 
     /// The same to the last few places alone, of nested rules: exponentials are taken by somebody who knows some that are near,
@@ -58,14 +59,23 @@ impl<'a, F: Format> Level<'a, F> {
         n: u64,
         exponentials: &'a dyn Exponentials<F::Real>,
     ) -> Self {
-        Self::by(nodes, n, Some(exponentials))
+        Level {
+            sums_are_shared: true,
+            ..Self::taking(nodes, n, exponentials)
+        }
     }
 
-    fn by(nodes: AnyNodes<'a, F>, n: u64, shortcut: Option<&'a dyn Exponentials<F::Real>>) -> Self {
+    /// The same, exponentials of nested rules being taken by somebody else.
+    pub(crate) fn taking(
+        nodes: AnyNodes<'a, F>,
+        n: u64,
+        exponentials: &'a dyn Exponentials<F::Real>,
+    ) -> Self {
         Level {
             nodes,
             n,
-            shortcut,
+            exponentials,
+            sums_are_shared: false,
             attenuations: Kept::new(),
             inside: Kept::new(),
             sources: Kept::new(),
@@ -171,33 +181,39 @@ impl<'a, F: Format> Level<'a, F> {
     fn nested(&mut self, method: &Nested) -> Result<F::Real, MethodError> {
         let (nodes, n, outer) = (self.nodes, self.n, method.outer);
         match outer.0.intervals() {
+            Some(intervals) if !self.sums_are_shared => {
+                outer.radiance_of_terms(&nodes, n, self.terms(method)?, intervals)
+            }
             Some(intervals) => {
-                let way = way(method);
-                let is_exact = self.shortcut.is_none();
-                let terms = self.terms(method)?;
-                if is_exact {
-                    return outer.radiance_of_terms(&nodes, n, terms, intervals);
+                let sums = self.sums(method)?;
+                match outer.radiance_of_sums(&nodes, n, sums) {
+                    Some(radiance) => radiance,
+                    None => outer.radiance_of_terms(&nodes, n, self.terms(method)?, intervals),
                 }
-                let terms = self.terms.find(|known| *known == way);
-                let terms = terms.map_or(&[][..], |terms| terms);
-                let zero = nodes.format().int(0);
-                let sums = self
-                    .sums
-                    .get_or_compute(way, |_| Ok::<_, MethodError>(GroupSums::new(terms, &zero)))?;
-                let summed = outer.radiance_of_sums(&nodes, n, sums);
-                summed.unwrap_or_else(|| outer.radiance_of_terms(&nodes, n, terms, intervals))
             }
             None => outer.radiance_under(&nodes, n, &borrowed(self.inside(method)?)),
         }
     }
 
-    /// C τ T at boundaries under transmittances from elsewhere, summed up: what [`Level::radiance_of_sums`] of all outer rules
+    /// C τ T at boundaries under transmittances from elsewhere, of no more bits than the level has, summed up: what [`Level::radiance_of_sums`] of all outer rules
     /// shares.
     pub(crate) fn sums_under(&mut self, transmittances: &[F::Real]) -> GroupSums<F::Real> {
         let sources = Self::sources(&mut self.sources, self.nodes, self.n);
-        let both = sources.iter().zip(transmittances);
-        let terms = row(both.map(|(source, t)| source.clone() * t));
-        GroupSums::new(&terms, &self.nodes.format().int(0))
+        GroupSums::new(sources, transmittances, &self.nodes.format().int(0))
+    }
+
+    /// The same of the method's own.
+    fn sums(&mut self, method: &Nested) -> Result<&GroupSums<F::Real>, MethodError> {
+        let zero = self.nodes.format().int(0);
+        self.attenuation(method)?;
+        let way = way(method);
+        let sources = Self::sources(&mut self.sources, self.nodes, self.n);
+        let attenuations = &self.attenuations;
+        self.sums.get_or_compute(way, |_| {
+            let transmittances = attenuations.find(|known| *known == way);
+            let transmittances = transmittances.map_or(&[][..], Attenuation::at_boundaries);
+            Ok(GroupSums::new(sources, transmittances, &zero))
+        })
     }
 
     /// The radiance of C τ T at boundaries, summed up; `None` where the outer rule has another use for them.
@@ -228,7 +244,7 @@ impl<'a, F: Format> Level<'a, F> {
 
     /// T inside segments.
     fn inside(&mut self, method: &Nested) -> Result<&[Vec<F::Real>], MethodError> {
-        let (nodes, outer, by) = (self.nodes, method.outer, self.exponentials());
+        let (nodes, outer, by) = (self.nodes, method.outer, self.exponentials);
         self.attenuation(method)?;
         let way = way(method);
         let attenuations = &self.attenuations;
@@ -262,7 +278,7 @@ impl<'a, F: Format> Level<'a, F> {
     fn attenuation(&mut self, method: &Nested) -> Result<&Attenuation<F::Real>, MethodError> {
         let key = way(method);
         let (inner, exponential, scope) = key;
-        let (nodes, n, by) = (self.nodes, self.n, self.exponentials());
+        let (nodes, n, by) = (self.nodes, self.n, self.exponentials);
         self.attenuations.get_or_compute(key, |kept| {
             let same_depth = kept.find(|(other, ..)| *other == inner);
             match same_depth {
@@ -270,10 +286,6 @@ impl<'a, F: Format> Level<'a, F> {
                 None => Attenuation::by(inner, exponential, scope, &nodes, n, by),
             }
         })
-    }
-
-    fn exponentials(&self) -> &'a dyn Exponentials<F::Real> {
-        self.shortcut.unwrap_or(&Alone)
     }
 
     fn color(&mut self, color: Color) -> Result<&[F::Real], MethodError> {

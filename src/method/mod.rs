@@ -25,8 +25,8 @@ pub use compositing::{
 };
 pub use error::MethodError;
 pub use expected::Expected;
+pub(crate) use exponential::{Alone, Depths, Exponentials, Row};
 pub use exponential::{Exponential, Scope};
-pub(crate) use exponential::{Exponentials, Row};
 pub use inner::{Filling, Inner, OpticalDepth};
 pub use layers::{Bezier, Degree, Layers, Limiter};
 pub use level::Level;

@@ -140,7 +140,7 @@ impl Outer {
     ) -> Option<Result<Number<N>, MethodError>> {
         let intervals = self.0.intervals()?;
         let group = usize::try_from(intervals).ok()?;
-        if group == 0 || GROUP % group != 0 {
+        if !GROUP.is_multiple_of(group) {
             return None;
         }
         let format = nodes.format();
@@ -193,21 +193,27 @@ pub(crate) struct GroupSums<R> {
 }
 
 impl<R: Real> GroupSums<R> {
-    pub(super) fn new(terms: &[R], zero: &R) -> Self {
-        let mut inside: [R; GROUP] = std::array::from_fn(|_| zero.clone());
-        let between = terms
-            .get(1..terms.len().saturating_sub(1))
-            .unwrap_or_default();
-        for (i, term) in between.iter().enumerate() {
-            // The first of these is boundary 1.
-            inside[(i + 1) % GROUP] += term;
+    /// Of C τ, in the format of `zero`, and T, of no more bits.
+    pub(super) fn new(sources: &[R], transmittances: &[R], zero: &R) -> Self {
+        let mut sums = GroupSums {
+            first: zero.clone(),
+            inside: std::array::from_fn(|_| zero.clone()),
+            last: zero.clone(),
+        };
+        let count = sources.len().min(transmittances.len());
+        let mut term = zero.clone();
+        for (i, (source, t)) in sources.iter().zip(transmittances).enumerate() {
+            term.set(source);
+            term *= t;
+            if i == 0 {
+                sums.first.set(&term);
+            } else if i + 1 == count {
+                sums.last.set(&term);
+            } else {
+                sums.inside[i % GROUP] += &term;
+            }
         }
-        let end = |term: Option<&R>| term.unwrap_or(zero).clone();
-        GroupSums {
-            first: end(terms.first()),
-            inside,
-            last: end(terms.last()),
-        }
+        sums
     }
 }
 

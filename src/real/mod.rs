@@ -36,6 +36,9 @@ pub trait Format: Copy + Debug + Display + PartialEq + Send + Sync + 'static {
     /// The numbers of this format.
     type Real: Real<Format = Self>;
 
+    /// Whether [`Real::rounded`] knows what elementary functions give, to the last bit.
+    const ROUNDS_FUNCTIONS: bool = false;
+
     /// Significant bits with the leading one: MPFR's convention (binary32: 24, binary64: 53). In a
     /// fixed-point format those of numbers just below 1, where 2^−bits is its quantum.
     fn bits(self) -> u32;
@@ -165,6 +168,13 @@ pub trait Real:
     /// The value as an MPFR number of so many bits, rounded where they are too few.
     fn to_float_of(&self, bits: u32) -> Float {
         Float::with_val(bits, self.to_float())
+    }
+
+    /// The number of this one's format that is nearest to a value of an elementary function, of which `near` is known to be within
+    /// 2^(`error_bits` − its bits) of itself; `None` where that does not say which, or the format's functions do not round to
+    /// nearest.
+    fn rounded(&self, _near: &MpfrReal, _error_bits: u32) -> Option<Self> {
+        None
     }
 
     /// log₂|x| in binary64, −∞ for 0: survives magnitudes far outside binary64's range.

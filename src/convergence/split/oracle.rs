@@ -143,8 +143,10 @@ impl<'c, C: Case> Oracle<'c, C> {
         ray: &dyn Traced,
         range: Range<usize>,
     ) -> Result<Option<Vec<Result<Cell, MethodError>>>, ReferenceError> {
-        let trace = ray.trace(&self.methods[range.clone()]);
         let first = first_bits(ray.bits());
+        let level = self.level(first, ray.segments(), &self.everything());
+        let methods = self.methods.get(range.clone()).unwrap_or_default();
+        let trace = ray.trace(methods, &level.known);
         let mut cells: Vec<Option<Result<Cell, MethodError>>> =
             range.clone().map(|_| None).collect();
         let mut open: Vec<usize> = (0..range.len()).collect();
@@ -226,7 +228,8 @@ impl<'c, C: Case> Oracle<'c, C> {
                 let index = start + place;
                 let exact = level.of(index)?;
                 let judge = || -> Result<Judged, MethodError> {
-                    let probed = self.probed(first, index) >> (bits - first);
+                    let probed = self.probed(first, index) * n.max(PROBE_SEGMENTS);
+                    let probed = (probed / PROBE_SEGMENTS) >> (bits - first);
                     let measured = measured.map_err(Clone::clone)?;
                     Ok(parts::judge(measured, &exact?, &followed?, &with, &probed))
                 };
@@ -352,7 +355,7 @@ impl Under<'_> {
             let sums = self
                 .kept
                 .entry(index)
-                .or_insert_with(|| level.sums_under(&numbers(at_boundaries, self.format)));
+                .or_insert_with(|| level.sums_under(at_boundaries));
             if let Some(radiance) = level.radiance_of_sums(nested.outer, sums) {
                 return radiance;
             }
@@ -371,9 +374,9 @@ fn first_bits(bits: u32) -> u32 {
     wanted.checked_next_multiple_of(STEP_BITS).unwrap_or(wanted)
 }
 
-fn numbers(row: &[Float], format: Mpfr) -> Vec<MpfrReal> {
+fn numbers(row: &[MpfrReal], format: Mpfr) -> Vec<MpfrReal> {
     row.iter()
-        .map(|x| Float::with_val(format.bits, x).into())
+        .map(|x| Float::with_val(format.bits, x.as_float()).into())
         .collect()
 }
 

@@ -4,6 +4,7 @@ use super::ran::Exact;
 use super::{Cell, Split};
 use crate::reference::Reference;
 use rug::Float;
+use std::cmp::Ordering;
 
 /// A part is shown where what may be wrong with it is at most 2^−this of itself.
 const SETTLED_BITS: u32 = 20;
@@ -75,9 +76,10 @@ pub(super) fn judge(
     let arithmetic = less(&measured.radiance, &followed.radiance);
     let under = followed.under.as_ref();
     let of_depth = under.map(|under| less(under, &followed.radiance));
-    let parts = [&discretization, &truncation, &input, &arithmetic];
-    let parts = parts.into_iter().chain(&of_depth);
-    if !total.is_finite() || parts.clone().any(|part| !part.is_finite()) {
+    let mut open_parts = vec![&truncation, &input, &arithmetic];
+    open_parts.extend(&of_depth);
+    let mut finite = open_parts.iter().map(|part| part.is_finite());
+    if !total.is_finite() || !discretization.is_finite() || !finite.all(|finite| finite) {
         return Judged::Settled(Cell::NotFinite { total });
     }
     let rounding = [&input, &arithmetic].into_iter().chain(&of_depth);
@@ -85,15 +87,16 @@ pub(super) fn judge(
     let values = [radiance, &exact.whole, &followed.radiance];
     let resolution = resolution(largest(values), &of_run, probed, with);
     let shown = Float::with_val(64, &resolution) << SETTLED_BITS;
-    let is_shown = |part: &&Float| part.cmp_abs(&shown).is_some_and(|order| order.is_ge());
-    let is_hidden = |part: &&Float| part.cmp_abs(&resolution).is_some_and(|order| order.is_le());
-    // The same numbers by the same way differ by nothing at all.
-    let is_nothing = |part: &&Float| part.is_zero() && !std::ptr::eq(*part, &discretization);
-    let open: Vec<&Float> = parts
-        .filter(|part| !is_nothing(part) && !is_shown(part))
-        .collect();
-    let hidden = open.iter().filter(|part| is_hidden(part)).count();
-    if hidden < open.len() || (hidden > 0 && !with.is_enough) {
+    let is_shown = |part: &&Float| part.cmp_abs(&shown).is_some_and(Ordering::is_ge);
+    let is_hidden = |part: &&Float| part.cmp_abs(&resolution).is_some_and(Ordering::is_le);
+    // The same numbers by the same way differ by nothing at all; of I that says nothing.
+    open_parts.retain(|part| !part.is_zero());
+    open_parts.push(&discretization);
+    open_parts.retain(|part| !is_shown(part));
+    let open = open_parts.len();
+    open_parts.retain(is_hidden);
+    let hidden = open_parts.len();
+    if hidden < open || (hidden > 0 && !with.is_enough) {
         return Judged::MoreBits {
             unsettled: Cell::Unsettled {
                 total,
@@ -118,7 +121,7 @@ pub(super) fn judge(
 ///
 /// - a few roundings for each of n terms of the size of the radiance;
 /// - what rounding did to the run, which is the same code on the same nodes with fewer bits, times 2^−(bits between them);
-/// - what it does to the method on a level that was run with more bits, for as many segments;
+/// - what it does to the method on a level that was run with more bits, for each segment as much;
 /// - what is not known of I.
 ///
 /// The second knows how the medium and the sum of this very ray treat errors, the third also where the run has so few bits that
@@ -141,7 +144,7 @@ fn sum_of_magnitudes<'a>(values: impl Iterator<Item = &'a Float>) -> Float {
 fn largest(values: [&Float; 3]) -> &Float {
     let [mut largest, others @ ..] = values;
     for x in others {
-        if x.cmp_abs(largest).is_some_and(|order| order.is_gt()) {
+        if x.cmp_abs(largest).is_some_and(Ordering::is_gt) {
             largest = x;
         }
     }

@@ -31,8 +31,8 @@ const METHODS: [&str; 16] = [
     "layers/linear",
 ];
 
-/// Discretization, input, arithmetic, and what of that comes of depths.
-type Parts = [Option<Float>; 4];
+/// The total, discretization, input, arithmetic, and what of that comes of depths.
+type Parts = [Option<Float>; 5];
 
 struct Both<'a> {
     case: &'a SymbolicCase,
@@ -76,6 +76,7 @@ impl WithFormat for Both<'_> {
             let limit = Level::new(&wide, n).radiance(method).unwrap().to_float();
             let less = |a: &Float, b: &Float| Float::with_val(BITS, a - b);
             let parts = [
+                Some(less(&here, &radiance)),
                 Some(less(&limit, &radiance)),
                 Some(less(&on_inputs, &limit)),
                 Some(less(&here, &on_inputs)),
@@ -117,6 +118,7 @@ fn the_parts_are_those_of_many_bits() {
                 continue;
             };
             let Split {
+                total,
                 discretization,
                 input,
                 arithmetic,
@@ -125,7 +127,15 @@ fn the_parts_are_those_of_many_bits() {
                 bits,
                 ..
             } = &split;
+            // The run is that of the format, to the last bit.
+            let exactly = exact[0].as_ref().unwrap();
+            let off = Float::with_val(BITS, total - exactly).abs();
+            assert!(
+                off <= *resolution,
+                "{method} on {case_name} in {format}: {off:e}"
+            );
             let found = [
+                Some(total),
                 Some(discretization),
                 Some(input),
                 Some(arithmetic),
