@@ -167,29 +167,60 @@ impl ErrorModel {
     /// The fewest bits with which some n reaches an error of 2^`log2_tolerance`, by the model.
     #[must_use]
     pub fn bits_for(&self, log2_tolerance: f64) -> Option<u32> {
-        // Of discretization alone: where that is too much, no number of bits helps.
-        let fine: Vec<(f64, f64)> = self
+        let [bits] = self.bits_for_each([log2_tolerance]);
+        bits
+    }
+
+    /// The same of several.
+    #[must_use]
+    pub fn bits_for_each<const N: usize>(&self, log2_tolerances: [f64; N]) -> [Option<u32>; N] {
+        let all: Vec<(f64, f64)> = self
             .grid()
             .map(|log2_n| (log2_n, self.log2_discretization(log2_n)))
-            .filter(|(_, discretization)| *discretization <= log2_tolerance)
             .collect();
+        log2_tolerances.map(|tolerance| self.fewest_bits(&all, tolerance))
+    }
+
+    /// The same where discretization is known at these n.
+    fn fewest_bits(&self, discretizations: &[(f64, f64)], tolerance: f64) -> Option<u32> {
+        // Where discretization alone is too much, no number of bits helps.
+        let fine = || {
+            let all = discretizations.iter();
+            all.filter(|(_, discretization)| *discretization <= tolerance)
+        };
         let reaches = |bits: u32| {
-            fine.iter().any(|&(log2_n, discretization)| {
+            fine().any(|&(log2_n, discretization)| {
                 let [input, arithmetic] = self.rounding(log2_n, f64::from(bits));
-                if input.max(arithmetic) > log2_tolerance {
+                if input.max(arithmetic) > tolerance {
                     return false;
                 }
                 let error = log2_hypot(discretization, log2_hypot(input, arithmetic));
-                error.is_finite() && error <= log2_tolerance
+                error.is_finite() && error <= tolerance
             })
         };
+        // With fewer bits one part of rounding alone is too much at every n.
+        let at_least = fine().map(|&(log2_n, _)| {
+            let [input, arithmetic] = self.rounding(log2_n, 0.0);
+            input.max(arithmetic) - tolerance
+        });
+        let at_least = at_least.fold(f64::INFINITY, f64::min);
+        if at_least > f64::from(MOST_BITS) {
+            return None;
+        }
+        #[expect(
+            clippy::cast_possible_truncation,
+            clippy::cast_sign_loss,
+            reason = "saturating, and at most MOST_BITS"
+        )]
+        let mut low = (at_least.max(2.0) as u32).saturating_sub(1).max(1);
+        let (mut high, mut step) = (low + 1, 1);
         // More bits never make it worse.
-        let (mut low, mut high) = (1, 2);
         while !reaches(high) {
-            (low, high) = (high, 2 * high);
-            if high > MOST_BITS {
+            if high >= MOST_BITS {
                 return None;
             }
+            (low, step) = (high, 2 * step);
+            high = (low + step).min(MOST_BITS);
         }
         while high - low > 1 {
             let middle = u32::midpoint(low, high);
