@@ -40,6 +40,11 @@ impl<'c, C: Case, F: Format> Shared<'c, C, F> {
         self.fresh.evaluations()
     }
 
+    /// Lets the columns of n segments go, whose values stay: for who is done with that level.
+    pub(crate) fn forget_columns(&self, n: u64) {
+        self.cache().columns.retain(|(level, _), _| *level != n);
+    }
+
     fn cache(&self) -> MutexGuard<'_, Cache<F::Real>> {
         // Values and columns go in whole, so a poisoned cache is still sound.
         self.cache.lock().unwrap_or_else(PoisonError::into_inner)

@@ -42,6 +42,9 @@ impl WithoutRounding {
             kept.entry(index)
                 .or_insert_with(|| exact(&mut level, method));
         }
+        // Of all that the level had, exponentials alone are asked for again.
+        drop(level);
+        nodes.forget_columns(n);
     }
 
     /// What that method gave, where it was run.

@@ -268,7 +268,11 @@ impl WithFormat for OneUnit<'_, '_> {
 
     fn run<F: Format>(self, format: F) -> Unit {
         let nodes = Shared::new(self.oracle.case(), format);
-        let rows = self.rows(&|n| self.oracle.split(&nodes, n));
+        let rows = self.rows(&|n| {
+            let cells = self.oracle.split(&nodes, n);
+            nodes.forget_columns(n);
+            cells
+        });
         let reference = self.oracle.reference(RADIANCE_BITS);
         let (radiance, unproved) = match reference {
             Ok(reference) => {
