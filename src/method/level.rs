@@ -54,6 +54,7 @@ impl<'a, F: Format> Level<'a, F> {
 
     /// The same to the last few places alone, of nested rules: exponentials are taken by somebody who knows some that are near,
     /// and terms are summed up once for all outer rules.
+    #[cfg(feature = "studies")]
     pub(crate) fn nearly(
         nodes: AnyNodes<'a, F>,
         n: u64,
@@ -197,6 +198,7 @@ impl<'a, F: Format> Level<'a, F> {
 
     /// C τ T at boundaries under transmittances from elsewhere, of no more bits than the level has, summed up: what [`Level::radiance_of_sums`] of all outer rules
     /// shares.
+    #[cfg(feature = "studies")]
     pub(crate) fn sums_under(&mut self, transmittances: &[F::Real]) -> GroupSums<F::Real> {
         let sources = Self::sources(&mut self.sources, self.nodes, self.n);
         GroupSums::new(sources, transmittances, &self.nodes.format().int(0))
@@ -217,6 +219,7 @@ impl<'a, F: Format> Level<'a, F> {
     }
 
     /// The radiance of C τ T at boundaries, summed up; `None` where the outer rule has another use for them.
+    #[cfg(feature = "studies")]
     pub(crate) fn radiance_of_sums(
         &self,
         outer: Outer,

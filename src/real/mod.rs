@@ -20,6 +20,7 @@ pub use any::AnyReal;
 pub use counted::{Counted, CountedReal, Counts};
 pub use fixed::{Fixed, FixedReal, MAX_FRACTION, MAX_INTEGER};
 pub use ieee::{Ieee, IeeeReal, MAX_EXPONENT, MAX_IEEE_BITS, Overflow};
+#[cfg(feature = "studies")]
 pub(crate) use mpfr::Near;
 pub use mpfr::{Mpfr, MpfrReal};
 pub use name::{FormatError, FormatName, MAX_BITS, MIN_BITS, WithFormat};

@@ -1,7 +1,9 @@
 //! MPFR of any precision, given at run time.
 
+#[cfg(feature = "studies")]
 mod near;
 
+#[cfg(feature = "studies")]
 pub(crate) use near::Near;
 
 use super::{Format, Real};

@@ -41,6 +41,7 @@ impl<'c, C: Case, F: Format> Shared<'c, C, F> {
     }
 
     /// Lets the columns of n segments go, whose values stay: for who is done with that level.
+    #[cfg(feature = "studies")]
     pub(crate) fn forget_columns(&self, n: u64) {
         self.cache().columns.retain(|(level, _), _| *level != n);
     }
