@@ -1,7 +1,10 @@
 //! The exponential of the optical depth: exact, or a Taylor polynomial.
 
-use crate::real::{Format, Real};
+use super::{Inner, OpticalDepth};
+use crate::real::{Format, Real, row};
+use rug::Rational;
 use std::fmt;
+use std::sync::Arc;
 
 /// How exp(−x) is computed.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
@@ -48,6 +51,11 @@ impl Exponential {
         sum
     }
 
+    /// E(−x) of each.
+    pub(crate) fn of_negatives<R: Real>(self, depths: &[R]) -> Vec<R> {
+        row(depths.iter().map(|depth| self.of_negative(depth)))
+    }
+
     /// The order that this contributes to a method: a degree k polynomial per segment leaves
     /// O(d^(k+1)) in each of n = D/d segments, hence k; of the whole depth it leaves a constant, 0.
     /// `None` where it contributes no error.
@@ -60,6 +68,54 @@ impl Exponential {
             (Exponential::Quadratic, Scope::PerSegment) => Some(2.0),
             (Exponential::Cubic, Scope::PerSegment) => Some(3.0),
         }
+    }
+}
+
+/// Which depths of a level a row holds.
+#[derive(Clone, Debug, PartialEq, Eq, Hash)]
+pub(crate) struct Row {
+    /// The rule that they are by.
+    pub(crate) inner: Inner,
+    /// From the front of the ray, or of each segment.
+    pub(crate) scope: Scope,
+    /// Up to that part of each segment; up to boundaries where there is none.
+    pub(crate) offset: Option<Rational>,
+}
+
+/// Depths in a row, shared by those who keep them.
+#[derive(Debug)]
+pub(crate) enum Depths<R> {
+    /// From the front of the ray to each boundary.
+    Boundaries(Arc<OpticalDepth<R>>),
+    /// Of each segment.
+    Segments(Arc<OpticalDepth<R>>),
+    /// Into each segment.
+    Inside(Vec<R>),
+}
+
+impl<R> Depths<R> {
+    /// One after the other.
+    pub(crate) fn values(&self) -> &[R] {
+        match self {
+            Depths::Boundaries(depth) => &depth.boundaries,
+            Depths::Segments(depth) => &depth.segments,
+            Depths::Inside(depths) => depths,
+        }
+    }
+}
+
+/// Who takes the exponentials of a level, row by row.
+pub(crate) trait Exponentials<R: Real> {
+    /// E(−x) for each x of `depths`, which are those of `row`.
+    fn of_negatives(&self, exponential: Exponential, row: Row, depths: Depths<R>) -> Arc<Vec<R>>;
+}
+
+/// Each by itself, as [`Exponential::of_negative`] has it.
+pub(crate) struct Alone;
+
+impl<R: Real> Exponentials<R> for Alone {
+    fn of_negatives(&self, exponential: Exponential, _: Row, depths: Depths<R>) -> Arc<Vec<R>> {
+        Arc::new(exponential.of_negatives(depths.values()))
     }
 }
 

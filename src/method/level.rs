@@ -2,14 +2,17 @@
 
 mod kept;
 
+use super::exponential::{Alone, Exponentials};
+use super::outer::GroupSums;
 use super::{
-    Attenuation, Color, Exponential, Inner, Method, MethodError, Nested, Opacity, Preintegrated,
-    Scope, Stop, Transmittances, composite,
+    Attenuation, Color, Exponential, Inner, Method, MethodError, Nested, Opacity, Outer,
+    Preintegrated, Scope, Stop, Transmittances, composite,
 };
 use crate::case::{AnyNodes, Nodes};
-use crate::real::{Format, row};
+use crate::real::{Format, row, try_row};
 use kept::Kept;
 use std::borrow::Cow;
+use std::convert::Infallible;
 
 /// What an attenuation is made by.
 type Way = (Inner, Exponential, Scope);
@@ -21,11 +24,18 @@ type Way = (Inner, Exponential, Scope);
 pub struct Level<'a, F: Format> {
     nodes: AnyNodes<'a, F>,
     n: u64,
+    exponentials: &'a dyn Exponentials<F::Real>,
+    /// Whether terms are summed up once for all outer rules.
+    sums_are_shared: bool,
     attenuations: Kept<Way, Attenuation<F::Real>>,
+    /// T inside segments, a row for each node of the outer rule.
+    inside: Kept<(Way, Outer), Vec<Vec<F::Real>>>,
     /// C τ at boundaries.
     sources: Kept<(), Vec<F::Real>>,
     /// C τ T there.
     terms: Kept<Way, Vec<F::Real>>,
+    /// Those, summed up.
+    sums: Kept<Way, GroupSums<F::Real>>,
     colors: Kept<Color, Vec<F::Real>>,
     opacities: Kept<Opacity, Vec<F::Real>>,
 }
@@ -39,12 +49,39 @@ impl<'a, F: Format> Level<'a, F> {
     /// The same of nodes whose kind is not known.
     #[must_use]
     pub fn of_any(nodes: AnyNodes<'a, F>, n: u64) -> Self {
+        Self::taking(nodes, n, &Alone)
+    }
+
+    /// The same to the last few places alone, of nested rules: exponentials are taken by somebody who knows some that are near,
+    /// and terms are summed up once for all outer rules.
+    #[cfg(feature = "studies")]
+    pub(crate) fn nearly(
+        nodes: AnyNodes<'a, F>,
+        n: u64,
+        exponentials: &'a dyn Exponentials<F::Real>,
+    ) -> Self {
+        Level {
+            sums_are_shared: true,
+            ..Self::taking(nodes, n, exponentials)
+        }
+    }
+
+    /// The same, exponentials of nested rules being taken by somebody else.
+    pub(crate) fn taking(
+        nodes: AnyNodes<'a, F>,
+        n: u64,
+        exponentials: &'a dyn Exponentials<F::Real>,
+    ) -> Self {
         Level {
             nodes,
             n,
+            exponentials,
+            sums_are_shared: false,
             attenuations: Kept::new(),
+            inside: Kept::new(),
             sources: Kept::new(),
             terms: Kept::new(),
+            sums: Kept::new(),
             colors: Kept::new(),
             opacities: Kept::new(),
         }
@@ -84,12 +121,11 @@ impl<'a, F: Format> Level<'a, F> {
         method: &Method,
     ) -> Result<Transmittances<'_, F::Real>, MethodError> {
         match method {
-            Method::Nested(nested) => {
-                let nodes = self.nodes;
-                nested
-                    .outer
-                    .transmittances(&nodes, self.attenuation(nested)?)
+            Method::Nested(nested) if nested.outer.0.intervals().is_some() => {
+                let attenuation = self.attenuation(nested)?;
+                Ok(vec![Cow::Borrowed(attenuation.at_boundaries())])
             }
+            Method::Nested(nested) => Ok(borrowed(self.inside(nested)?)),
             Method::Composited(compositing) => {
                 let composite = compositing.composite(&self.nodes, self.n, Stop::AsDeclared)?;
                 let row = Some(composite.transmittances).filter(|row| !row.is_empty());
@@ -144,27 +180,94 @@ impl<'a, F: Format> Level<'a, F> {
     }
 
     fn nested(&mut self, method: &Nested) -> Result<F::Real, MethodError> {
-        let (nodes, n) = (self.nodes, self.n);
-        let attenuation = self.attenuation(method)?;
-        match method.outer.0.intervals() {
-            Some(intervals) => {
-                let outer = method.outer;
+        let (nodes, n, outer) = (self.nodes, self.n, method.outer);
+        match outer.0.intervals() {
+            Some(intervals) if !self.sums_are_shared => {
                 outer.radiance_of_terms(&nodes, n, self.terms(method)?, intervals)
             }
-            None => method.outer.radiance(&nodes, attenuation),
+            Some(intervals) => {
+                let sums = self.sums(method)?;
+                match outer.radiance_of_sums(&nodes, n, sums) {
+                    Some(radiance) => radiance,
+                    None => outer.radiance_of_terms(&nodes, n, self.terms(method)?, intervals),
+                }
+            }
+            None => outer.radiance_under(&nodes, n, &borrowed(self.inside(method)?)),
         }
+    }
+
+    /// C τ T at boundaries under transmittances from elsewhere, of no more bits than the level has, summed up: what [`Level::radiance_of_sums`] of all outer rules
+    /// shares.
+    #[cfg(feature = "studies")]
+    pub(crate) fn sums_under(&mut self, transmittances: &[F::Real]) -> GroupSums<F::Real> {
+        let sources = Self::sources(&mut self.sources, self.nodes, self.n);
+        GroupSums::new(sources, transmittances, &self.nodes.format().int(0))
+    }
+
+    /// The same of the method's own.
+    fn sums(&mut self, method: &Nested) -> Result<&GroupSums<F::Real>, MethodError> {
+        let zero = self.nodes.format().int(0);
+        self.attenuation(method)?;
+        let way = way(method);
+        let sources = Self::sources(&mut self.sources, self.nodes, self.n);
+        let attenuations = &self.attenuations;
+        self.sums.get_or_compute(way, |_| {
+            let transmittances = attenuations.find(|known| *known == way);
+            let transmittances = transmittances.map_or(&[][..], Attenuation::at_boundaries);
+            Ok(GroupSums::new(sources, transmittances, &zero))
+        })
+    }
+
+    /// The radiance of C τ T at boundaries, summed up; `None` where the outer rule has another use for them.
+    #[cfg(feature = "studies")]
+    pub(crate) fn radiance_of_sums(
+        &self,
+        outer: Outer,
+        sums: &GroupSums<F::Real>,
+    ) -> Option<Result<F::Real, MethodError>> {
+        outer.radiance_of_sums(&self.nodes, self.n, sums)
+    }
+
+    /// C τ at boundaries.
+    fn sources<'k>(
+        kept: &'k mut Kept<(), Vec<F::Real>>,
+        nodes: AnyNodes<'_, F>,
+        n: u64,
+    ) -> &'k [F::Real] {
+        let sources = kept.get_or_compute((), |_| {
+            let column = nodes.boundaries(n);
+            let both = column.emission.iter().zip(&column.extinction);
+            let sources = row(both.map(|(emission, tau)| emission.clone() * tau));
+            Ok::<_, Infallible>(sources)
+        });
+        match sources {
+            Ok(sources) => sources,
+        }
+    }
+
+    /// T inside segments.
+    fn inside(&mut self, method: &Nested) -> Result<&[Vec<F::Real>], MethodError> {
+        let (nodes, outer, by) = (self.nodes, method.outer, self.exponentials);
+        self.attenuation(method)?;
+        let way = way(method);
+        let attenuations = &self.attenuations;
+        let rows = self.inside.get_or_compute((way, outer), |_| {
+            let table = outer.0.table(nodes.format().bits())?;
+            let attenuation = attenuations.find(|known| *known == way);
+            let inside = attenuation.map(|attenuation| {
+                let offsets = table.nodes.iter();
+                try_row(offsets.map(|offset| attenuation.inside_by(&nodes, offset, by)))
+            });
+            inside.unwrap_or_else(|| Ok(Vec::new()))
+        })?;
+        Ok(rows)
     }
 
     /// C τ T at boundaries.
     fn terms(&mut self, method: &Nested) -> Result<&[F::Real], MethodError> {
-        let (nodes, n) = (self.nodes, self.n);
         self.attenuation(method)?;
-        let sources = self.sources.get_or_compute((), |_| {
-            let column = nodes.boundaries(n);
-            let both = column.emission.iter().zip(&column.extinction);
-            Ok::<_, MethodError>(row(both.map(|(emission, tau)| emission.clone() * tau)))
-        })?;
-        let way = (method.inner, method.exponential, method.scope);
+        let sources = Self::sources(&mut self.sources, self.nodes, self.n);
+        let way = way(method);
         let attenuations = &self.attenuations;
         let terms = self.terms.get_or_compute(way, |_| {
             let transmittances = attenuations.find(|known| *known == way);
@@ -176,19 +279,14 @@ impl<'a, F: Format> Level<'a, F> {
     }
 
     fn attenuation(&mut self, method: &Nested) -> Result<&Attenuation<F::Real>, MethodError> {
-        let Nested {
-            inner,
-            exponential,
-            scope,
-            ..
-        } = *method;
-        let (nodes, n) = (self.nodes, self.n);
-        let key = (inner, exponential, scope);
+        let key = way(method);
+        let (inner, exponential, scope) = key;
+        let (nodes, n, by) = (self.nodes, self.n, self.exponentials);
         self.attenuations.get_or_compute(key, |kept| {
             let same_depth = kept.find(|(other, ..)| *other == inner);
             match same_depth {
-                Some(other) => Ok(other.with_exponential(exponential, scope)),
-                None => Attenuation::new(inner, exponential, scope, &nodes, n),
+                Some(other) => Ok(other.with_exponential_by(exponential, scope, by)),
+                None => Attenuation::by(inner, exponential, scope, &nodes, n, by),
             }
         })
     }
@@ -215,4 +313,13 @@ impl<'a, F: Format> Level<'a, F> {
             _ => method.radiance(&self.nodes, self.n),
         }
     }
+}
+
+fn way(method: &Nested) -> Way {
+    (method.inner, method.exponential, method.scope)
+}
+
+/// Rows of transmittances as outer rules take them.
+fn borrowed<R: Clone>(rows: &[Vec<R>]) -> Transmittances<'_, R> {
+    row(rows.iter().map(|values| Cow::Borrowed(&values[..])))
 }

@@ -25,6 +25,8 @@ pub use compositing::{
 };
 pub use error::MethodError;
 pub use expected::Expected;
+#[cfg(feature = "studies")]
+pub(crate) use exponential::{Alone, Depths, Exponentials, Row};
 pub use exponential::{Exponential, Scope};
 pub use inner::{Filling, Inner, OpticalDepth};
 pub use layers::{Bezier, Degree, Layers, Limiter};
@@ -32,6 +34,8 @@ pub use level::Level;
 pub use limit::{Limit, Part};
 pub use name::MethodNameError;
 pub use nested::Nested;
+#[cfg(feature = "studies")]
+pub(crate) use outer::GroupSums;
 pub use outer::{Outer, Transmittances};
 #[cfg(feature = "studies")]
 pub(crate) use preintegrated::attenuated_integral;

@@ -130,6 +130,34 @@ impl Outer {
         Ok(sum * &format.ratio(&(Rational::from(nodes.length()) / n)))
     }
 
+    /// The same of such terms summed up by what weights have in common: other roundings, and no work that grows with n.
+    /// `None` where the rule's weights do not go by the place in a group of [`GROUP`].
+    pub(super) fn radiance_of_sums<N: Nodes>(
+        self,
+        nodes: &N,
+        n: u64,
+        sums: &GroupSums<Number<N>>,
+    ) -> Option<Result<Number<N>, MethodError>> {
+        let intervals = self.0.intervals()?;
+        let group = usize::try_from(intervals).ok()?;
+        if !GROUP.is_multiple_of(group) {
+            return None;
+        }
+        let format = nodes.format();
+        let weighted = require_multiple(&self.0, n, self.segments_multiple()).and_then(|()| {
+            let weights = CompositeWeights::new(self.0, intervals, format)?;
+            let mut sum = sums.first.clone() * &weights.first;
+            for (place, part) in sums.inside.iter().enumerate() {
+                if let Some(weight) = weights.repeating.get(place % group) {
+                    sum += &(part.clone() * weight);
+                }
+            }
+            sum += &(sums.last.clone() * &weights.last);
+            Ok(sum * &format.ratio(&(Rational::from(nodes.length()) / n)))
+        });
+        Some(weighted)
+    }
+
     /// ∑ₖ wₖ ∑ⱼ C τ T at the nodes inside the segments, in units of the step.
     fn inside_segments<N: Nodes>(
         self,
@@ -150,6 +178,42 @@ impl Outer {
             sum += &(part * &format.ratio(weight));
         }
         Ok(sum)
+    }
+}
+
+/// Weights of closed rules repeat after so many segments, or a part of that.
+const GROUP: usize = 4;
+
+/// C τ T at boundaries, summed up: all that outer rules need that weigh them by their place in a group.
+pub(crate) struct GroupSums<R> {
+    first: R,
+    /// Of the boundaries between the ends, by their number modulo [`GROUP`].
+    inside: [R; GROUP],
+    last: R,
+}
+
+impl<R: Real> GroupSums<R> {
+    /// Of C τ, in the format of `zero`, and T, of no more bits.
+    pub(super) fn new(sources: &[R], transmittances: &[R], zero: &R) -> Self {
+        let mut sums = GroupSums {
+            first: zero.clone(),
+            inside: std::array::from_fn(|_| zero.clone()),
+            last: zero.clone(),
+        };
+        let count = sources.len().min(transmittances.len());
+        let mut term = zero.clone();
+        for (i, (source, t)) in sources.iter().zip(transmittances).enumerate() {
+            term.set(source);
+            term *= t;
+            if i == 0 {
+                sums.first.set(&term);
+            } else if i + 1 == count {
+                sums.last.set(&term);
+            } else {
+                sums.inside[i % GROUP] += &term;
+            }
+        }
+        sums
     }
 }
 

@@ -20,6 +20,8 @@ pub use any::AnyReal;
 pub use counted::{Counted, CountedReal, Counts};
 pub use fixed::{Fixed, FixedReal, MAX_FRACTION, MAX_INTEGER};
 pub use ieee::{Ieee, IeeeReal, MAX_EXPONENT, MAX_IEEE_BITS, Overflow};
+#[cfg(feature = "studies")]
+pub(crate) use mpfr::Near;
 pub use mpfr::{Mpfr, MpfrReal};
 pub use name::{FormatError, FormatName, MAX_BITS, MIN_BITS, WithFormat};
 pub use native::{Native, NativeFloat};
@@ -34,6 +36,9 @@ use std::ops::{Add, AddAssign, Div, DivAssign, Mul, MulAssign, Neg, Sub, SubAssi
 pub trait Format: Copy + Debug + Display + PartialEq + Send + Sync + 'static {
     /// The numbers of this format.
     type Real: Real<Format = Self>;
+
+    /// Whether [`Real::rounded`] knows what elementary functions give, to the last bit.
+    const ROUNDS_FUNCTIONS: bool = false;
 
     /// Significant bits with the leading one: MPFR's convention (binary32: 24, binary64: 53). In a
     /// fixed-point format those of numbers just below 1, where 2^−bits is its quantum.
@@ -159,6 +164,18 @@ pub trait Real:
             }
             None => Float::with_val(self.format().bits().max(MIN_BITS), Special::Nan),
         }
+    }
+
+    /// The value as an MPFR number of so many bits, rounded where they are too few.
+    fn to_float_of(&self, bits: u32) -> Float {
+        Float::with_val(bits, self.to_float())
+    }
+
+    /// The number of this one's format that is nearest to a value of an elementary function, of which `near` is known to be within
+    /// 2^(`error_bits` − its bits) of itself; `None` where that does not say which, or the format's functions do not round to
+    /// nearest.
+    fn rounded(&self, _near: &MpfrReal, _error_bits: u32) -> Option<Self> {
+        None
     }
 
     /// log₂|x| in binary64, −∞ for 0: survives magnitudes far outside binary64's range.

@@ -1,5 +1,11 @@
 //! MPFR of any precision, given at run time.
 
+#[cfg(feature = "studies")]
+mod near;
+
+#[cfg(feature = "studies")]
+pub(crate) use near::Near;
+
 use super::{Format, Real};
 use rug::float::{Constant, MiniFloat};
 use rug::{Float, Rational};
@@ -81,6 +87,8 @@ operator!(Div, div, DivAssign, div_assign);
 
 impl Format for Mpfr {
     type Real = MpfrReal;
+
+    const ROUNDS_FUNCTIONS: bool = true;
 
     fn bits(self) -> u32 {
         self.bits
@@ -165,6 +173,19 @@ impl Real for MpfrReal {
     }
     fn to_float(&self) -> Float {
         self.0.clone()
+    }
+    fn to_float_of(&self, bits: u32) -> Float {
+        Float::with_val(bits, &self.0)
+    }
+    fn rounded(&self, near: &MpfrReal, error_bits: u32) -> Option<Self> {
+        let (bits, near) = (self.0.prec(), &near.0);
+        // 2^exponent is more than |near|.
+        let exponent = near.get_exp()?;
+        let shift = i32::try_from(near.prec().checked_sub(error_bits)?).ok()?;
+        let error = Float::with_val(1, 1) << exponent.checked_sub(shift)?;
+        let below = Float::with_val(bits, near - &error);
+        let above = Float::with_val(bits, near + &error);
+        (below == above).then_some(MpfrReal(below))
     }
     fn log2_abs(&self) -> f64 {
         // Mantissa and exponent apart: neither a rounded logarithm nor binary64's range is in the way.

@@ -250,6 +250,9 @@ impl<T: NativeFloat> Real for T {
         // binary64 holds every value of T.
         Float::with_val(f64::MANTISSA_DIGITS, self.to_f64().unwrap_or(f64::NAN))
     }
+    fn to_float_of(&self, bits: u32) -> Float {
+        Float::with_val(bits, self.to_f64().unwrap_or(f64::NAN))
+    }
     fn log2_abs(&self) -> f64 {
         self.to_f64().map_or(f64::NAN, |x| x.abs().log2())
     }

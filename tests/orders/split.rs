@@ -2,6 +2,7 @@
 
 mod branches;
 mod exact;
+mod many_bits;
 mod stops;
 
 use exact::{Attenuation, Medium};

@@ -3,7 +3,7 @@
 use super::replayed::{Exactly, Key, Replayed};
 use super::{AnyNodes, Column, Nodes};
 use crate::case::{Case, PolynomialTransfer, Transfer};
-use crate::real::{Format, Real, row};
+use crate::real::{Format, MpfrReal, Real, row};
 use rug::{Float, Rational};
 use std::collections::BTreeSet;
 use std::fmt::{self, Debug};
@@ -58,6 +58,12 @@ impl<'a> Recording<'a> {
     #[must_use]
     pub fn replay(&self, bits: u32) -> Replayed<'a> {
         Replayed::new(self.clone(), bits)
+    }
+
+    /// Whether all of it is values at places of a grid, which come back to whoever asks, in whatever order.
+    #[must_use]
+    pub fn is_of_columns(&self) -> bool {
+        self.extinctions.is_empty() && self.transfers.is_empty()
     }
 }
 
@@ -131,16 +137,17 @@ impl<F: Format> Exactly for Numbers<'_, F> {
         self.0.length()
     }
 
-    fn column(&self, n: u64, offset: Option<&Rational>) -> Column<Float> {
+    fn column(&self, n: u64, offset: Option<&Rational>, bits: u32) -> Column<MpfrReal> {
         let column = match offset {
             None => self.0.boundaries(n),
             Some(offset) => self.0.interior(n, offset),
         };
-        let floats = |values: &[F::Real]| row(values.iter().map(Real::to_float));
+        let numbers =
+            |values: &[F::Real]| row(values.iter().map(|x| MpfrReal::from(x.to_float_of(bits))));
         Column {
-            field: floats(&column.field),
-            emission: floats(&column.emission),
-            extinction: floats(&column.extinction),
+            field: numbers(&column.field),
+            emission: numbers(&column.emission),
+            extinction: numbers(&column.extinction),
         }
     }
 

@@ -21,7 +21,8 @@ pub(super) type Key = (u64, Option<Rational>);
 pub(super) trait Exactly: Debug + Sync + Send {
     fn bits(&self) -> u32;
     fn length(&self) -> &Rational;
-    fn column(&self, n: u64, offset: Option<&Rational>) -> Column<Float>;
+    /// Rounded to that many bits: exact where they are no fewer than the nodes'.
+    fn column(&self, n: u64, offset: Option<&Rational>, bits: u32) -> Column<MpfrReal>;
     fn beyond(&self, n: u64) -> Float;
     fn polynomial_transfer(&self) -> Option<&PolynomialTransfer>;
 }
@@ -85,10 +86,6 @@ impl<'a> Replayed<'a> {
         Float::with_val(self.format.bits, x).into()
     }
 
-    fn numbers(&self, values: &[Float]) -> Vec<MpfrReal> {
-        values.iter().map(|x| self.number(x)).collect()
-    }
-
     fn column(&self, n: u64, offset: Option<&Rational>) -> Arc<Column<MpfrReal>> {
         let mut columns = kept(&self.columns);
         let key = (n, offset.cloned());
@@ -96,12 +93,8 @@ impl<'a> Replayed<'a> {
             return Arc::clone(column);
         }
         let offset = offset.map(|offset| self.recorded_offset(n, offset));
-        let recorded = self.recording.nodes.column(n, offset.as_ref());
-        let column = Arc::new(Column {
-            field: self.numbers(&recorded.field),
-            emission: self.numbers(&recorded.emission),
-            extinction: self.numbers(&recorded.extinction),
-        });
+        let nodes = &self.recording.nodes;
+        let column = Arc::new(nodes.column(n, offset.as_ref(), self.format.bits));
         columns.insert(key, Arc::clone(&column));
         column
     }

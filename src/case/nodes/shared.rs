@@ -40,6 +40,12 @@ impl<'c, C: Case, F: Format> Shared<'c, C, F> {
         self.fresh.evaluations()
     }
 
+    /// Lets the columns of n segments go, whose values stay: for who is done with that level.
+    #[cfg(feature = "studies")]
+    pub(crate) fn forget_columns(&self, n: u64) {
+        self.cache().columns.retain(|(level, _), _| *level != n);
+    }
+
     fn cache(&self) -> MutexGuard<'_, Cache<F::Real>> {
         // Values and columns go in whole, so a poisoned cache is still sound.
         self.cache.lock().unwrap_or_else(PoisonError::into_inner)
@@ -153,9 +159,15 @@ fn in_lowest_terms((numerator, denominator): (u64, u64)) -> (u64, u64) {
 }
 
 /// The greatest common divisor; of 0 and b it is b.
-pub(crate) fn gcd(mut a: u64, mut b: u64) -> u64 {
+pub(crate) fn gcd(a: u64, b: u64) -> u64 {
+    if a == 0 || b == 0 {
+        return a | b;
+    }
+    // Powers of two, of which ladders are mostly made, come off without divisions.
+    let twos = (a | b).trailing_zeros();
+    let (mut a, mut b) = (a >> a.trailing_zeros(), b >> b.trailing_zeros());
     while b != 0 {
         (a, b) = (b, a % b);
     }
-    a
+    a << twos
 }

@@ -101,12 +101,16 @@ impl ErrorModel {
     /// log₂ of input and arithmetic rounding together with `bits` bits, as a root mean square.
     #[must_use]
     pub fn log2_rounding(&self, log2_n: f64, bits: f64) -> f64 {
-        let laws = [self.laws.input, self.laws.arithmetic];
-        let parts = laws
-            .into_iter()
-            .flatten()
-            .map(|law| law.log2_at(log2_n, bits));
-        parts.fold(f64::NEG_INFINITY, log2_hypot)
+        let [input, arithmetic] = self.rounding(log2_n, bits);
+        log2_hypot(input, arithmetic)
+    }
+
+    /// The same of input and of arithmetic.
+    fn rounding(&self, log2_n: f64, bits: f64) -> [f64; 2] {
+        let at = |law: Option<RoundoffLaw>| {
+            law.map_or(f64::NEG_INFINITY, |law| law.log2_at(log2_n, bits))
+        };
+        [at(self.laws.input), at(self.laws.arithmetic)]
     }
 
     /// log₂ of the whole error in the format, as a root mean square.
@@ -121,8 +125,10 @@ impl ErrorModel {
     #[must_use]
     pub fn crossing(&self) -> Option<f64> {
         let bits = f64::from(self.bits);
-        let discretizes =
-            |log2_n: f64| self.log2_discretization(log2_n) > self.log2_rounding(log2_n, bits);
+        let discretizes = |log2_n: f64| {
+            let [input, arithmetic] = self.rounding(log2_n, bits);
+            is_above(self.log2_discretization(log2_n), input, arithmetic)
+        };
         if self.log2_rounding(self.first, bits) == f64::NEG_INFINITY {
             return None;
         }
@@ -140,31 +146,81 @@ impl ErrorModel {
     }
 
     fn best_with(&self, bits: f64) -> Option<Best> {
-        let all = self.grid().map(|log2_n| Best {
-            log2_n,
-            log2_error: log2_hypot(
-                self.log2_discretization(log2_n),
-                self.log2_rounding(log2_n, bits),
-            ),
-        });
-        let finite = all.filter(|best| best.log2_error.is_finite());
-        finite.min_by(|a, b| a.log2_error.total_cmp(&b.log2_error))
+        let mut best: Option<Best> = None;
+        for log2_n in self.grid() {
+            let discretization = self.log2_discretization(log2_n);
+            let parts = self.rounding(log2_n, bits);
+            // Where one part alone is worse, the sum need not be known, which takes exponentials and logarithms.
+            let alone = discretization.max(parts[0]).max(parts[1]);
+            if best.is_some_and(|best| alone > best.log2_error) {
+                continue;
+            }
+            let log2_error = log2_hypot(discretization, log2_hypot(parts[0], parts[1]));
+            let is_better = best.is_none_or(|best| log2_error.total_cmp(&best.log2_error).is_lt());
+            if log2_error.is_finite() && is_better {
+                best = Some(Best { log2_n, log2_error });
+            }
+        }
+        best
     }
 
     /// The fewest bits with which some n reaches an error of 2^`log2_tolerance`, by the model.
     #[must_use]
     pub fn bits_for(&self, log2_tolerance: f64) -> Option<u32> {
-        let reaches = |bits: u32| {
-            let best = self.best_with(f64::from(bits));
-            best.is_some_and(|best| best.log2_error <= log2_tolerance)
+        let [bits] = self.bits_for_each([log2_tolerance]);
+        bits
+    }
+
+    /// The same of several.
+    #[must_use]
+    pub fn bits_for_each<const N: usize>(&self, log2_tolerances: [f64; N]) -> [Option<u32>; N] {
+        let all: Vec<(f64, f64)> = self
+            .grid()
+            .map(|log2_n| (log2_n, self.log2_discretization(log2_n)))
+            .collect();
+        log2_tolerances.map(|tolerance| self.fewest_bits(&all, tolerance))
+    }
+
+    /// The same where discretization is known at these n.
+    fn fewest_bits(&self, discretizations: &[(f64, f64)], tolerance: f64) -> Option<u32> {
+        // Where discretization alone is too much, no number of bits helps.
+        let fine = || {
+            let all = discretizations.iter();
+            all.filter(|(_, discretization)| *discretization <= tolerance)
         };
+        let reaches = |bits: u32| {
+            fine().any(|&(log2_n, discretization)| {
+                let [input, arithmetic] = self.rounding(log2_n, f64::from(bits));
+                if input.max(arithmetic) > tolerance {
+                    return false;
+                }
+                let error = log2_hypot(discretization, log2_hypot(input, arithmetic));
+                error.is_finite() && error <= tolerance
+            })
+        };
+        // With fewer bits one part of rounding alone is too much at every n.
+        let at_least = fine().map(|&(log2_n, _)| {
+            let [input, arithmetic] = self.rounding(log2_n, 0.0);
+            input.max(arithmetic) - tolerance
+        });
+        let at_least = at_least.fold(f64::INFINITY, f64::min);
+        if at_least > f64::from(MOST_BITS) {
+            return None;
+        }
+        #[expect(
+            clippy::cast_possible_truncation,
+            clippy::cast_sign_loss,
+            reason = "saturating, and at most MOST_BITS"
+        )]
+        let mut low = (at_least.max(2.0) as u32).saturating_sub(1).max(1);
+        let (mut high, mut step) = (low + 1, 1);
         // More bits never make it worse.
-        let (mut low, mut high) = (1, 2);
         while !reaches(high) {
-            (low, high) = (high, 2 * high);
-            if high > MOST_BITS {
+            if high >= MOST_BITS {
                 return None;
             }
+            (low, step) = (high, 2 * step);
+            high = (low + step).min(MOST_BITS);
         }
         while high - low > 1 {
             let middle = u32::midpoint(low, high);
@@ -197,4 +253,13 @@ fn log2_hypot(a: f64, b: f64) -> f64 {
         return large;
     }
     large + 0.5 * (2.0 * (small - large)).exp2().ln_1p() / std::f64::consts::LN_2
+}
+
+/// Whether x > log₂ √(4^a + 4^b), which lies between the larger of both and ½ more: mostly that says it.
+fn is_above(x: f64, a: f64, b: f64) -> bool {
+    let large = a.max(b);
+    if x <= large {
+        return false;
+    }
+    x > large + 1.0 || x > log2_hypot(a, b)
 }

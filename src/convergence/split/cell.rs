@@ -28,7 +28,7 @@ pub struct Split {
     /// Magnitude below which the oracle's own rounding hides a part.
     #[serde(serialize_with = "serialize_float")]
     pub resolution: Float,
-    /// Bits of the oracle; half as many gave the same to 2⁻²⁰.
+    /// Bits of the oracle.
     pub bits: u32,
 }
 
@@ -68,7 +68,7 @@ pub enum Cell {
         #[serde(serialize_with = "serialize_float")]
         total: Float,
     },
-    /// Doubling the oracle's bits went on changing a part up to so many bits.
+    /// Some part stayed within what the oracle cannot tell, up to so many bits.
     Unsettled {
         /// `Q_f` − I.
         #[serde(serialize_with = "serialize_float")]

@@ -13,8 +13,14 @@
 //! replayed exactly. Arithmetic rounding is divided once more, into what comes of the transmittances and what
 //! comes of summing the radiance under them: the sum is taken in MPFR under the transmittances of f.
 //!
-//! That the parts add up proves nothing: they do by construction. "Enough bits" is checked each time:
-//! doubling them changes no part by more than 2⁻²⁰ of itself, or the part is below what the oracle can see.
+//! That the parts add up proves nothing: they do by construction. "Enough bits" is checked each time, by a bound of what the
+//! oracle's own rounding leaves in a part, the [resolution](Split::resolution): a part is 2²⁰ times as large, or it is run
+//! again with more bits until it is, or lies below the bound of twice as many. The bound is read off errors that were
+//! measured: those of the run itself, which is the same code on the same nodes with fewer bits, and those of a short level
+//! that the oracle runs with 64 bits more.
+//!
+//! Exponentials without rounding are taken once; those of a replay, whose depths differ by roundings, come of them by a short
+//! series, and so do those of one inner rule of another's. Sums are taken once for all outer rules.
 //!
 //! ```
 //! use volver::case::{Shared, SineSquared};
@@ -40,10 +46,12 @@
 //! ```
 
 mod cell;
+mod known;
 mod oracle;
 mod parts;
 mod ran;
 mod trace;
+mod without_rounding;
 
 pub use cell::{Cell, Split};
 pub use oracle::Oracle;

@@ -1,11 +1,13 @@
 //! The same code with enough bits: what every format's run is compared with.
 
 use super::Cell;
-use super::parts::{self, Followed, Inputs, Measured};
-use super::ran::{Exact, exact, follow, run};
-use super::trace::{Ray, Traced};
+use super::known::{Again, Known};
+use super::parts::{self, Followed, Judged, Measured, With};
+use super::ran::{follow, run};
+use super::trace::{Ray, Trace, Traced};
+use super::without_rounding::WithoutRounding;
 use crate::case::{AnyNodes, Case, Nodes, Replayed, Shared};
-use crate::method::{Level, Method, MethodError};
+use crate::method::{GroupSums, Level, Method, MethodError};
 use crate::real::{Mpfr, MpfrReal};
 use crate::reference::{self, Reference, ReferenceError};
 use rug::{Float, Rational};
@@ -18,8 +20,13 @@ use std::sync::{Arc, Mutex, MutexGuard, OnceLock, PoisonError};
 const LEAST_BITS: u32 = 128;
 /// Beyond the format's own: 2⁻²⁰ of a part that is itself some bits below u.
 const GUARD_BITS: u32 = 64;
+/// Precisions are multiples of this: MPFR computes with whole words, and formats of about the same bits share one.
+const STEP_BITS: u32 = 64;
 /// The most bits the oracle is raised to.
 const MOST_BITS: u32 = 8192;
+/// Segments of the level that is run a second time, with more bits, to see what rounding does to the oracle: few, fit for every
+/// rule, and no power of two, where some roundings are none.
+const PROBE_SEGMENTS: u64 = 60;
 
 /// What some methods give on a case without rounding, at as many bits as it takes; computed once for all
 /// formats that are compared with it.
@@ -31,7 +38,7 @@ pub struct Oracle<'c, C: Case> {
     has_jumps: bool,
     references: Kept<u32, Result<Reference, ReferenceError>>,
     nodes: Kept<u32, Shared<'c, C, Mpfr>>,
-    rows: Kept<(u32, u64), Vec<Result<Exact, MethodError>>>,
+    levels: Kept<(u32, u64), Arc<WithoutRounding>>,
 }
 
 /// Values that are made once, by whoever asks first.
@@ -50,7 +57,7 @@ impl<'c, C: Case> Oracle<'c, C> {
                 .any(|b| jumps(&b.extinction) || jumps(&b.source)),
             references: Mutex::default(),
             nodes: Mutex::default(),
-            rows: Mutex::default(),
+            levels: Mutex::default(),
         }
     }
 
@@ -85,11 +92,6 @@ impl<'c, C: Case> Oracle<'c, C> {
         let slot = slot(&self.references, bits);
         slot.get_or_init(|| reference::radiance(self.case, bits))
             .clone()
-    }
-
-    /// Its value.
-    fn radiance(&self, bits: u32) -> Result<Float, ReferenceError> {
-        Ok(self.reference(bits)?.value)
     }
 
     /// The error of every method at n segments in the format of `nodes`, which must be of the same case, and
@@ -141,70 +143,142 @@ impl<'c, C: Case> Oracle<'c, C> {
         ray: &dyn Traced,
         range: Range<usize>,
     ) -> Result<Option<Vec<Result<Cell, MethodError>>>, ReferenceError> {
-        let n = ray.segments();
-        let methods = &self.methods[range.clone()];
-        let trace = ray.trace(methods);
-        let replayed = |bits| -> Option<Vec<Result<Followed, MethodError>>> {
-            let inputs = trace.recording.replay(bits);
-            let followed = follow_all(&inputs, n, methods, &trace.measured);
-            let same = !self.has_jumps || (trace.took_the_sides_of)(&inputs);
-            (inputs.is_complete() && same).then_some(followed)
-        };
-        let mut bits = first_bits(ray.bits());
-        let Some(mut coarse) = replayed(bits) else {
-            return Ok(None);
-        };
+        let first = first_bits(ray.bits());
+        let level = self.level(first, ray.segments(), &self.everything());
+        let methods = self.methods.get(range.clone()).unwrap_or_default();
+        let trace = ray.trace(methods, &level.known);
+        let mut cells: Vec<Option<Result<Cell, MethodError>>> =
+            range.clone().map(|_| None).collect();
+        let mut open: Vec<usize> = (0..range.len()).collect();
+        let mut bits = first;
         loop {
-            let double = 2 * bits;
-            let Some(fine) = replayed(double) else {
+            let Some(judged) = self.judge(ray, &trace, range.start, &open, bits)? else {
                 return Ok(None);
             };
-            let inputs = |bits, followed| -> Result<Inputs<'_>, ReferenceError> {
-                Ok(Inputs {
-                    bits,
-                    n,
-                    radiance: self.radiance(bits)?,
-                    rows: self.rows(bits, n),
-                    followed,
-                })
-            };
-            let (low, high) = (inputs(bits, &coarse)?, inputs(double, &fine)?);
-            let cells: Vec<Result<Cell, MethodError>> = trace
-                .measured
-                .iter()
-                .zip(range.clone())
-                .enumerate()
-                .map(|(i, (measured, method))| {
-                    let measured = measured.as_ref().map_err(Clone::clone)?;
-                    parts::cell(measured, method, i, &low, &high)
-                })
-                .collect();
-            let settled =
-                |cell: &Result<Cell, MethodError>| !matches!(cell, Ok(Cell::Unsettled { .. }));
-            if double >= MOST_BITS || cells.iter().all(settled) {
-                return Ok(Some(cells));
+            let mut hidden = false;
+            let mut left = Vec::new();
+            for (place, judged) in open.iter().copied().zip(judged) {
+                let cell = match judged {
+                    Ok(Judged::MoreBits { is_hidden, .. }) if bits < MOST_BITS => {
+                        hidden |= is_hidden;
+                        left.push(place);
+                        continue;
+                    }
+                    Ok(Judged::MoreBits { unsettled, .. }) => Ok(unsettled),
+                    Ok(Judged::Settled(cell)) => Ok(cell),
+                    Err(error) => Err(error),
+                };
+                if let Some(slot) = cells.get_mut(place) {
+                    *slot = Some(cell);
+                }
             }
-            (bits, coarse) = (double, fine);
+            if left.is_empty() {
+                return Ok(Some(cells.into_iter().flatten().collect()));
+            }
+            // Values that a method asked for one after the other come back in that order, to all of them alone.
+            if trace.recording.is_of_columns() {
+                open = left;
+            }
+            bits = if bits == first && !hidden {
+                first + STEP_BITS
+            } else if bits < 2 * first {
+                2 * first
+            } else {
+                2 * bits
+            };
         }
     }
 
-    /// All methods without rounding, in order.
-    fn rows(&self, bits: u32, n: u64) -> Arc<OnceLock<Vec<Result<Exact, MethodError>>>> {
-        let row = slot(&self.rows, (bits, n));
-        row.get_or_init(|| {
-            let nodes = slot(&self.nodes, bits);
-            let nodes = nodes.get_or_init(|| Shared::new(self.case, Mpfr { bits }));
-            let mut level = Level::new(nodes, n);
-            let methods = self.methods.iter();
-            methods.map(|method| exact(&mut level, method)).collect()
-        });
-        row
+    /// The cells of the methods at these places of a trace, as so many bits show them; `None` as in
+    /// [`Oracle::split_together`].
+    fn judge(
+        &self,
+        ray: &dyn Traced,
+        trace: &Trace<'_>,
+        start: usize,
+        places: &[usize],
+        bits: u32,
+    ) -> Result<Option<Vec<Result<Judged, MethodError>>>, ReferenceError> {
+        let (n, first) = (ray.segments(), first_bits(ray.bits()));
+        let level = if bits == first {
+            self.level(bits, n, &self.everything())
+        } else {
+            let indices: Vec<usize> = places.iter().map(|place| start + place).collect();
+            self.level(bits, n, &indices)
+        };
+        let inputs = trace.recording.replay(bits);
+        let methods = self.methods.get(start..).unwrap_or_default();
+        let followed = follow_all(&inputs, n, methods, places, trace, &level.known);
+        let same = !self.has_jumps || (trace.took_the_sides_of)(&inputs);
+        if !inputs.is_complete() || !same {
+            return Ok(None);
+        }
+        let with = With {
+            bits,
+            n,
+            format_bits: ray.bits(),
+            reference: self.reference(bits)?,
+            is_enough: bits >= 2 * first,
+        };
+        let judged = places
+            .iter()
+            .zip(followed)
+            .filter_map(|(&place, followed)| {
+                let measured = trace.measured.get(place)?.as_ref();
+                let index = start + place;
+                let exact = level.of(index)?;
+                let judge = || -> Result<Judged, MethodError> {
+                    let probed = self.probed(first, index) * n.max(PROBE_SEGMENTS);
+                    let probed = (probed / PROBE_SEGMENTS) >> (bits - first);
+                    let measured = measured.map_err(Clone::clone)?;
+                    Ok(parts::judge(measured, &exact?, &followed?, &with, &probed))
+                };
+                Some(judge())
+            });
+        Ok(Some(judged.collect()))
+    }
+
+    /// A level without rounding, on which these methods were run.
+    fn level(&self, bits: u32, n: u64, indices: &[usize]) -> Arc<WithoutRounding> {
+        let level = slot(&self.levels, (bits, n));
+        let level = level.get_or_init(|| Arc::new(WithoutRounding::new(Mpfr { bits })));
+        let nodes = slot(&self.nodes, bits);
+        let nodes = nodes.get_or_init(|| Shared::new(self.case, Mpfr { bits }));
+        let methods = indices
+            .iter()
+            .filter_map(|&index| Some((index, self.methods.get(index)?)));
+        level.run(nodes, n, methods);
+        Arc::clone(level)
+    }
+
+    /// How far rounding to so many bits moves the radiance of a method on [`PROBE_SEGMENTS`] segments: it is run there a
+    /// second time, with [`STEP_BITS`] more. 0 where such segments do not suit it, and where a jump of the medium could come to
+    /// lie on another side.
+    fn probed(&self, bits: u32, method: usize) -> Float {
+        let nothing = Float::new(64);
+        if self.has_jumps {
+            return nothing;
+        }
+        let whole = |bits| -> Option<Float> {
+            let level = self.level(bits, PROBE_SEGMENTS, &self.everything());
+            Some(level.of(method)?.ok()?.whole)
+        };
+        let (Some(few), Some(more)) = (whole(bits), whole(bits + STEP_BITS)) else {
+            return nothing;
+        };
+        let moved = parts::difference(&few, &more, bits + STEP_BITS).abs();
+        if moved.is_finite() { moved } else { nothing }
+    }
+
+    /// The places of all methods.
+    fn everything(&self) -> Vec<usize> {
+        (0..self.methods.len()).collect()
     }
 
     /// `Q_f` − I alone.
     fn total(&self, ray: &dyn Traced, method: &Method) -> Result<Float, ReferenceError> {
         let bits = first_bits(ray.bits());
-        let radiance = self.radiance(bits)?;
+        let radiance = self.reference(bits)?.value;
         Ok(match ray.radiance(method) {
             Ok(ran) => parts::difference(&ran, &radiance, bits),
             Err(_) => Float::with_val(bits, rug::float::Special::Nan),
@@ -212,58 +286,97 @@ impl<'c, C: Case> Oracle<'c, C> {
     }
 }
 
-/// The methods on the recorded inputs, stopped where the run stopped.
+/// The methods at these places of a trace on the recorded inputs, stopped where the run stopped; `known` are exponentials near
+/// theirs.
 fn follow_all(
     inputs: &Replayed<'_>,
     n: u64,
     methods: &[Method],
-    measured: &[Result<Measured, MethodError>],
+    places: &[usize],
+    trace: &Trace<'_>,
+    known: &Known,
 ) -> Vec<Result<Followed, MethodError>> {
-    let mut level = Level::new(inputs, n);
-    let radiances: Vec<_> = methods
+    let again = Again(known);
+    let mut level = Level::nearly(AnyNodes::new(inputs), n, &again);
+    let asked: Vec<(&Method, Result<&Measured, MethodError>)> = places
         .iter()
-        .zip(measured)
-        .map(|(method, measured)| {
-            let measured = measured.as_ref().map_err(Clone::clone)?;
-            run(&mut level, method, follow(measured.stopped))
+        .filter_map(|&place| {
+            let measured = trace.measured.get(place)?.as_ref();
+            Some((methods.get(place)?, measured.map_err(Clone::clone)))
         })
         .collect();
-    methods
+    // All of them first: values that they ask for one after the other come back in that order.
+    let radiances: Vec<Result<MpfrReal, MethodError>> = asked
         .iter()
-        .zip(measured)
-        .zip(radiances)
-        .map(|((method, measured), ran)| {
+        .map(|(method, measured)| {
             let measured = measured.as_ref().map_err(Clone::clone)?;
-            let rows: Vec<Cow<'_, [MpfrReal]>> = measured
-                .transmittances
-                .iter()
-                .map(|row| Cow::Owned(numbers(row, inputs.format())))
-                .collect();
-            let under = if rows.is_empty() {
-                None
-            } else {
-                Some(level.radiance_under(method, &rows)?.into())
+            Ok(run(&mut level, method, follow(measured.stopped))?.radiance)
+        })
+        .collect();
+    let mut under = Under {
+        trace,
+        format: inputs.format(),
+        kept: BTreeMap::new(),
+    };
+    asked
+        .into_iter()
+        .zip(radiances)
+        .map(|((method, measured), radiance)| {
+            let under = match measured?.transmittances {
+                Some(index) => Some(under.radiance(&mut level, method, index)?.into()),
+                None => None,
             };
             Ok(Followed {
-                radiance: ran?.radiance.into(),
+                radiance: radiance?.into(),
                 under,
             })
         })
         .collect()
 }
 
-/// The oracle's first precision for a format of `bits` bits: a power of two, so that formats share it.
-fn first_bits(bits: u32) -> u32 {
-    let wanted = bits.saturating_add(GUARD_BITS);
-    wanted
-        .max(LEAST_BITS)
-        .checked_next_power_of_two()
-        .unwrap_or(wanted)
+/// Radiances under the transmittances of a run.
+struct Under<'a> {
+    trace: &'a Trace<'a>,
+    format: Mpfr,
+    /// C τ T at boundaries, which outer rules share.
+    kept: BTreeMap<usize, GroupSums<MpfrReal>>,
 }
 
-fn numbers(row: &[Float], format: Mpfr) -> Vec<MpfrReal> {
+impl Under<'_> {
+    fn radiance(
+        &mut self,
+        level: &mut Level<'_, Mpfr>,
+        method: &Method,
+        index: usize,
+    ) -> Result<MpfrReal, MethodError> {
+        let rows = self.trace.transmittances.get(index);
+        let rows = rows.map_or(&[][..], |rows| rows);
+        if let (Method::Nested(nested), [at_boundaries]) = (method, rows) {
+            let sums = self
+                .kept
+                .entry(index)
+                .or_insert_with(|| level.sums_under(at_boundaries));
+            if let Some(radiance) = level.radiance_of_sums(nested.outer, sums) {
+                return radiance;
+            }
+        }
+        let rows = rows
+            .iter()
+            .map(|values| Cow::Owned(numbers(values, self.format)));
+        let rows: Vec<Cow<'_, [MpfrReal]>> = rows.collect();
+        level.radiance_under(method, &rows)
+    }
+}
+
+/// The oracle's first precision for a format of `bits` bits.
+fn first_bits(bits: u32) -> u32 {
+    let wanted = bits.saturating_add(GUARD_BITS).max(LEAST_BITS);
+    wanted.checked_next_multiple_of(STEP_BITS).unwrap_or(wanted)
+}
+
+fn numbers(row: &[MpfrReal], format: Mpfr) -> Vec<MpfrReal> {
     row.iter()
-        .map(|x| Float::with_val(format.bits, x).into())
+        .map(|x| Float::with_val(format.bits, x.as_float()).into())
         .collect()
 }
 

@@ -1,21 +1,25 @@
-//! The parts of an error at two precisions of the oracle, and whether they agree.
+//! The parts of an error at one precision of the oracle, and whether it shows them.
 
 use super::ran::Exact;
 use super::{Cell, Split};
-use crate::method::MethodError;
+use crate::reference::Reference;
 use rug::Float;
-use std::sync::{Arc, OnceLock};
+use std::cmp::Ordering;
 
-/// A part has settled where doubling the oracle's bits changes it by at most 2^−this of itself.
+/// A part is shown where what may be wrong with it is at most 2^−this of itself.
 const SETTLED_BITS: u32 = 20;
+/// Roundings of each of n terms of the size of the radiance, and of what it takes to get there.
+const ROUNDINGS: u32 = 16;
+/// Errors that were measured are taken 2^this times: one of them may have come out small by chance.
+const LUCK_BITS: u32 = 10;
 
 /// The run whose error is split.
 #[derive(Clone, Debug)]
 pub(super) struct Measured {
     pub(super) radiance: Float,
     pub(super) stopped: Option<u64>,
-    /// T wherever the method's sum looks, in rows; none where the method has no transmittances of its own.
-    pub(super) transmittances: Vec<Vec<Float>>,
+    /// Which of a trace's transmittances are those of the method's sum; `None` where it has none of its own.
+    pub(super) transmittances: Option<usize>,
 }
 
 /// The same method on the inputs of that run, in MPFR.
@@ -26,117 +30,125 @@ pub(super) struct Followed {
     pub(super) under: Option<Float>,
 }
 
-/// All there is at one precision of the oracle.
-pub(super) struct Inputs<'a> {
+/// The oracle, but for the methods.
+pub(super) struct With {
     pub(super) bits: u32,
+    /// Those of the run.
+    pub(super) format_bits: u32,
     pub(super) n: u64,
     /// I.
-    pub(super) radiance: Float,
-    /// Every method without rounding, by its place among all methods.
-    pub(super) rows: Arc<OnceLock<Vec<Result<Exact, MethodError>>>>,
-    /// The methods of this run on its inputs.
-    pub(super) followed: &'a [Result<Followed, MethodError>],
+    pub(super) reference: Reference,
+    /// Whether what such bits do not show may stay hidden.
+    pub(super) is_enough: bool,
 }
 
-/// The parts at one precision, in the order discretization, truncation, input, arithmetic, of depth.
-struct Parts {
-    parts: [Float; 5],
-    /// The magnitude of what the oracle subtracts.
-    scale: Float,
+/// What the bits of an oracle were good for.
+pub(super) enum Judged {
+    /// They show every part, or are enough to call what they do not show hidden.
+    Settled(Cell),
+    /// They do not.
+    MoreBits {
+        /// What to say where there are no more.
+        unsettled: Cell,
+        /// Whether of some part nothing is seen at all.
+        is_hidden: bool,
+    },
 }
 
-/// The cell of the method that is `method` among all and `place` in this run.
-pub(super) fn cell(
+/// The cell of a method as these bits show it; `probed` is what rounding does to its radiance on another level.
+pub(super) fn judge(
     measured: &Measured,
-    method: usize,
-    place: usize,
-    low: &Inputs<'_>,
-    high: &Inputs<'_>,
-) -> Result<Cell, MethodError> {
-    let total = difference(&measured.radiance, &high.radiance, high.bits);
-    let coarse = parts(measured, method, place, low)?;
-    let fine = parts(measured, method, place, high)?;
-    let (Some(coarse), Some(fine)) = (coarse, fine) else {
-        return Ok(Cell::BranchDiverged { total });
-    };
-    if !total.is_finite() || fine.parts.iter().any(|part| !part.is_finite()) {
-        return Ok(Cell::NotFinite { total });
+    exact: &Exact,
+    followed: &Followed,
+    with: &With,
+    probed: &Float,
+) -> Judged {
+    let radiance = &with.reference.value;
+    let less = |a: &Float, b: &Float| difference(a, b, with.bits);
+    let total = less(&measured.radiance, radiance);
+    // Without rounding it stops elsewhere.
+    if exact.stopped != measured.stopped {
+        return Judged::Settled(Cell::BranchDiverged { total });
     }
-    let resolution = resolution(&coarse, &fine, low, high);
-    let settled = |(low, high): (&Float, &Float)| {
-        let change = difference(low, high, high.prec()).abs();
-        change <= Float::with_val(64, high.abs_ref()) >> SETTLED_BITS
-            || *high.as_abs() <= resolution
-    };
-    if !coarse.parts.iter().zip(&fine.parts).all(settled) {
-        return Ok(Cell::Unsettled {
-            total,
-            bits: high.bits,
-        });
+    let discretization = less(&exact.whole, radiance);
+    let truncation = less(&exact.declared, &exact.whole);
+    let input = less(&followed.radiance, &exact.declared);
+    let arithmetic = less(&measured.radiance, &followed.radiance);
+    let under = followed.under.as_ref();
+    let of_depth = under.map(|under| less(under, &followed.radiance));
+    let mut open_parts = vec![&truncation, &input, &arithmetic];
+    open_parts.extend(&of_depth);
+    let mut finite = open_parts.iter().map(|part| part.is_finite());
+    if !total.is_finite() || !discretization.is_finite() || !finite.all(|finite| finite) {
+        return Judged::Settled(Cell::NotFinite { total });
     }
-    let has_depth = !measured.transmittances.is_empty();
-    let [discretization, truncation, input, arithmetic, of_depth] = fine.parts;
-    Ok(Cell::Split(Split {
+    let rounding = [&input, &arithmetic].into_iter().chain(&of_depth);
+    let of_run = sum_of_magnitudes(rounding) >> (with.bits - with.format_bits);
+    let values = [radiance, &exact.whole, &followed.radiance];
+    let resolution = resolution(largest(values), &of_run, probed, with);
+    let shown = Float::with_val(64, &resolution) << SETTLED_BITS;
+    let is_shown = |part: &&Float| part.cmp_abs(&shown).is_some_and(Ordering::is_ge);
+    let is_hidden = |part: &&Float| part.cmp_abs(&resolution).is_some_and(Ordering::is_le);
+    // The same numbers by the same way differ by nothing at all; of I that says nothing.
+    open_parts.retain(|part| !part.is_zero());
+    open_parts.push(&discretization);
+    open_parts.retain(|part| !is_shown(part));
+    let open = open_parts.len();
+    open_parts.retain(is_hidden);
+    let hidden = open_parts.len();
+    if hidden < open || (hidden > 0 && !with.is_enough) {
+        return Judged::MoreBits {
+            unsettled: Cell::Unsettled {
+                total,
+                bits: with.bits,
+            },
+            is_hidden: hidden > 0,
+        };
+    }
+    Judged::Settled(Cell::Split(Split {
         total,
         discretization,
         truncation,
         input,
         arithmetic,
-        of_depth: has_depth.then_some(of_depth),
+        of_depth,
         resolution,
-        bits: high.bits,
+        bits: with.bits,
     }))
 }
 
-/// The parts at one precision; `None` where the method stops elsewhere without rounding.
-fn parts(
-    measured: &Measured,
-    method: usize,
-    place: usize,
-    inputs: &Inputs<'_>,
-) -> Result<Option<Parts>, MethodError> {
-    let row = inputs.rows.get().and_then(|rows| rows.get(method));
-    let (Some(row), Some(followed)) = (row, inputs.followed.get(place)) else {
-        return Ok(None);
-    };
-    let exact = row.as_ref().map_err(Clone::clone)?;
-    let followed = followed.as_ref().map_err(Clone::clone)?;
-    if exact.stopped != measured.stopped {
-        return Ok(None);
-    }
-    let less = |a: &Float, b: &Float| difference(a, b, inputs.bits);
-    let of_depth = match &followed.under {
-        Some(under) => less(under, &followed.radiance),
-        None => Float::new(inputs.bits),
-    };
-    let values = [&inputs.radiance, &exact.whole, &followed.radiance];
-    let scale = values
+/// A bound of what the oracle's own rounding leaves in a part: the largest of
+///
+/// - a few roundings for each of n terms of the size of the radiance;
+/// - what rounding did to the run, which is the same code on the same nodes with fewer bits, times 2^−(bits between them);
+/// - what it does to the method on a level that was run with more bits, for each segment as much;
+/// - what is not known of I.
+///
+/// The second knows how the medium and the sum of this very ray treat errors, the third also where the run has so few bits that
+/// errors do not grow with them any more. Both are measured, and so taken for 2^[`LUCK_BITS`] times as much.
+fn resolution(scale: &Float, of_run: &Float, probed: &Float, with: &With) -> Float {
+    let a_priori = (Float::with_val(64, scale) * ROUNDINGS * with.n) >> with.bits;
+    let measured = [of_run, probed].map(|error| Float::with_val(64, error) << LUCK_BITS);
+    let all = measured
         .into_iter()
-        .map(|x| x.clone().abs())
-        .fold(Float::new(inputs.bits), |a, b| if b > a { b } else { a });
-    Ok(Some(Parts {
-        parts: [
-            less(&exact.whole, &inputs.radiance),
-            less(&exact.declared, &exact.whole),
-            less(&followed.radiance, &exact.declared),
-            less(&measured.radiance, &followed.radiance),
-            of_depth,
-        ],
-        scale,
-    }))
+        .chain([Float::with_val(64, &with.reference.error)]);
+    all.fold(a_priori.abs(), |a, b| if b > a { b } else { a })
 }
 
-/// What the oracle's own rounding may leave in a part at the higher precision b: a few roundings for each of n
-/// terms of the size of the radiance, and never less than what is seen at the lower one, b bits coarser.
-fn resolution(coarse: &Parts, fine: &Parts, low: &Inputs<'_>, high: &Inputs<'_>) -> Float {
-    let a_priori = (Float::with_val(64, &fine.scale) * 16_u32 * high.n) >> high.bits;
-    let changes = coarse.parts.iter().zip(&fine.parts);
-    changes
-        .map(|(a, b)| difference(a, b, high.bits).abs() >> (high.bits - low.bits))
-        .fold(
-            a_priori,
-            |a, b| if b > a { Float::with_val(64, b) } else { a },
-        )
+fn sum_of_magnitudes<'a>(values: impl Iterator<Item = &'a Float>) -> Float {
+    values.fold(Float::new(64), |sum, x| {
+        sum + Float::with_val(64, x.abs_ref())
+    })
+}
+
+fn largest(values: [&Float; 3]) -> &Float {
+    let [mut largest, others @ ..] = values;
+    for x in others {
+        if x.cmp_abs(largest).is_some_and(Ordering::is_gt) {
+            largest = x;
+        }
+    }
+    largest
 }
 
 /// a − b, of more bits than either has.

@@ -1,15 +1,18 @@
 //! A run in some format, with all that it used.
 
+use super::known::{Known, Rounded};
 use super::parts::Measured;
 use super::ran::{Ran, run};
 use crate::case::{AnyNodes, Case, Nodes, Recorded, Recording, Replayed};
-use crate::method::{Level, Method, MethodError, Stop};
-use crate::real::{Format, Real, row};
+use crate::method::{Alone, Exponentials, Level, Method, MethodError, Nested, Stop};
+use crate::real::{Format, MpfrReal, Real, row};
 use rug::Float;
 
 /// What methods gave, and the inputs they used.
 pub(super) struct Trace<'a> {
     pub(super) measured: Vec<Result<Measured, MethodError>>,
+    /// T wherever sums look, in rows, each once for all methods that look there.
+    pub(super) transmittances: Vec<Vec<Vec<MpfrReal>>>,
     pub(super) recording: Recording<'a>,
     /// Whether a replay stood on the same side of every jump and kink.
     pub(super) took_the_sides_of: Box<dyn Fn(&Replayed<'_>) -> bool + 'a>,
@@ -21,8 +24,8 @@ pub(super) trait Traced {
     fn bits(&self) -> u32;
     /// n.
     fn segments(&self) -> u64;
-    /// The methods, run one after the other.
-    fn trace(&self, methods: &[Method]) -> Trace<'_>;
+    /// The methods, run one after the other, beside what is known of the level without rounding.
+    fn trace(&self, methods: &[Method], known: &Known) -> Trace<'_>;
     /// The radiance by one of them.
     fn radiance(&self, method: &Method) -> Result<Float, MethodError>;
 }
@@ -43,21 +46,39 @@ impl<C: Case, F: Format> Traced for Ray<'_, C, F> {
         self.n
     }
 
-    fn trace(&self, methods: &[Method]) -> Trace<'_> {
+    fn trace(&self, methods: &[Method], known: &Known) -> Trace<'_> {
         let recorded = Recorded::new(self.nodes);
-        let mut level = Level::new(&recorded, self.n);
+        let rounded = Rounded(known);
+        let by: &dyn Exponentials<F::Real> = if F::ROUNDS_FUNCTIONS {
+            &rounded
+        } else {
+            &Alone
+        };
+        let mut level = Level::taking(AnyNodes::new(&recorded), self.n, by);
         let runs = row(methods
             .iter()
             .map(|method| run(&mut level, method, Stop::AsDeclared)));
         // What is asked for from here on is no part of the run.
         let recording = recorded.recording();
-        let mut measure = |method, ran: Result<Ran<F::Real>, MethodError>| {
+        let mut transmittances: Vec<Vec<Vec<MpfrReal>>> = Vec::new();
+        let mut shared: Vec<(Method, usize)> = Vec::new();
+        let mut measure = |method: &Method, ran: Result<Ran<F::Real>, MethodError>| {
             let ran = ran?;
-            let rows = level.transmittances(method)?;
+            let same = shared.iter().find(|(other, _)| looks_alike(other, method));
+            let index = if let Some((_, index)) = same {
+                Some(*index)
+            } else {
+                let rows = level.transmittances(method)?;
+                (!rows.is_empty()).then(|| {
+                    transmittances.push(row(rows.iter().map(|values| floats(values))));
+                    shared.push((*method, transmittances.len() - 1));
+                    transmittances.len() - 1
+                })
+            };
             Ok(Measured {
                 radiance: ran.radiance.to_float(),
                 stopped: ran.stopped,
-                transmittances: row(rows.iter().map(|values| floats(values))),
+                transmittances: index,
             })
         };
         let both = methods.iter().zip(runs);
@@ -66,6 +87,7 @@ impl<C: Case, F: Format> Traced for Ray<'_, C, F> {
         let case = self.case;
         Trace {
             measured,
+            transmittances,
             recording,
             took_the_sides_of: Box::new(move |replayed| recorded.took_the_sides_of(case, replayed)),
         }
@@ -78,6 +100,18 @@ impl<C: Case, F: Format> Traced for Ray<'_, C, F> {
     }
 }
 
-fn floats<R: Real>(values: &[R]) -> Vec<Float> {
-    row(values.iter().map(Real::to_float))
+/// Whether the sums of both look at the same transmittances: those at boundaries, by the same inner rule and exponential.
+fn looks_alike(a: &Method, b: &Method) -> bool {
+    match (a, b) {
+        (Method::Nested(a), Method::Nested(b)) => {
+            let closed = a.outer.0.intervals().is_some() && b.outer.0.intervals().is_some();
+            let of = |nested: &Nested| (nested.inner, nested.exponential, nested.scope);
+            closed && of(a) == of(b)
+        }
+        _ => false,
+    }
+}
+
+fn floats<R: Real>(values: &[R]) -> Vec<MpfrReal> {
+    row(values.iter().map(|x| MpfrReal::from(x.to_float())))
 }

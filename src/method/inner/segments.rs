@@ -2,7 +2,7 @@
 
 use crate::case::{Nodes, Number};
 use crate::quadrature::{Rule, RuleError};
-use crate::real::{Format, row};
+use crate::real::{Format, Real, row};
 use rug::Rational;
 
 /// For each segment the depth from its front to `offset` of its length: x·d Σ wₖ τ(λⱼ + x cₖ d).
@@ -30,8 +30,11 @@ pub(super) fn partial_depths<N: Nodes>(
         if depths.is_empty() {
             depths = row(extinctions.map(|tau| tau.clone() * &weight));
         } else {
+            let mut weighted = format.int(0);
             for (depth, tau) in depths.iter_mut().zip(extinctions) {
-                *depth += &(tau.clone() * &weight);
+                weighted.set(tau);
+                weighted *= &weight;
+                *depth += &weighted;
             }
         }
     }

@@ -68,7 +68,7 @@ impl Estimate {
         let finest = sweep.levels.iter().copied().max().unwrap_or(0) as f64;
         let looks: f64 = sweep.methods.iter().map(looks).sum();
         let numbers = finest * (NUMBERS_A_NODE + NUMBERS_A_SEGMENT) * looks.max(1.0);
-        // The format's own values, and the oracle's at two precisions.
+        // The format's own values, the oracle's, and what replays and sums have of theirs.
         let bytes = |format: &FormatName| {
             let oracle = oracle_bits(*format);
             let own = f64::from(format.bits()) / 8.0 + HEADER_BYTES;

@@ -60,7 +60,7 @@ impl<'s> Job<'s> {
         &self,
         sweep: &'s Sweep,
         format: FormatName,
-        levels_in_parallel: bool,
+        order: Order,
         progress: &dyn Progress,
     ) -> Unit {
         let name = self.name;
@@ -73,7 +73,7 @@ impl<'s> Job<'s> {
                     name,
                     format,
                     oracle: &oracle,
-                    levels_in_parallel,
+                    order,
                     progress,
                 })
             }
@@ -85,7 +85,7 @@ impl<'s> Job<'s> {
                 truth: self
                     .truth
                     .get_or_init(|| Truth::new(self.case, &sweep.formats)),
-                levels_in_parallel,
+                levels_in_parallel: order == Order::SideBySide,
                 progress,
             }),
         }
@@ -113,7 +113,7 @@ pub fn run(
     progress: &dyn Progress,
 ) -> Result<Statistics, SweepError> {
     let threads = threads.max(1);
-    let todo = queue(sweep, journal, threads);
+    let todo = queue(sweep, journal);
     let jobs: Vec<Job<'_>> = sweep
         .cases
         .iter()
@@ -128,16 +128,32 @@ pub fn run(
         .collect();
     // With fewer units than threads, the levels of a unit share the threads among them.
     let levels_in_parallel = todo.len() < threads;
-    let queue = Mutex::new(todo);
+    let todo = Mutex::new(Todo {
+        threads_at: vec![0; jobs.len()],
+        units: todo,
+    });
     let journal = Mutex::new(journal);
     let statistics = Mutex::new(Statistics::default());
     let work = || -> Result<(), SweepError> {
+        let mut mine = None;
         loop {
-            let Some((case, format)) = lock(&queue).pop_front() else {
+            let Some(Next {
+                case,
+                format,
+                is_shared,
+            }) = lock(&todo).next(mine)
+            else {
                 return Ok(());
             };
+            mine = Some(case);
+            let order = match (levels_in_parallel, is_shared) {
+                (true, _) => Order::SideBySide,
+                (false, true) => Order::FromFinest,
+                (false, false) => Order::FromCoarsest,
+            };
             let job = &jobs[case];
-            let unit = job.unit(sweep, format, levels_in_parallel, progress);
+            let unit = job.unit(sweep, format, order, progress);
+            lock(&todo).leave(case);
             let mut total = lock(&statistics);
             total.units += 1;
             total.evaluations += unit.evaluations;
@@ -145,7 +161,7 @@ pub fn run(
             drop(total);
             if let Err(error) = lock(&journal).append(unit) {
                 // Nothing more can be kept: the others stop after what they have begun.
-                lock(&queue).clear();
+                lock(&todo).units.clear();
                 return Err(error.into());
             }
         }
@@ -167,21 +183,74 @@ pub fn run(
     Ok(*lock(&statistics))
 }
 
-/// The units left to do. As many cases as there are threads go side by side through the formats: threads then
-/// seldom want the same values at once, and few cases are in memory.
-fn queue(sweep: &Sweep, journal: &Journal, threads: usize) -> VecDeque<(usize, FormatName)> {
-    let indices: Vec<usize> = (0..sweep.cases.len()).collect();
+/// The units left to do, case by case.
+fn queue(sweep: &Sweep, journal: &Journal) -> VecDeque<(usize, FormatName)> {
     let mut queue = VecDeque::new();
-    for cases in indices.chunks(threads) {
+    for (case, (name, _)) in sweep.cases.iter().enumerate() {
         for format in &sweep.formats {
-            for &case in cases {
-                if !journal.has(&sweep.cases[case].0, &format.to_string()) {
-                    queue.push_back((case, *format));
-                }
+            if !journal.has(name, &format.to_string()) {
+                queue.push_back((case, *format));
             }
         }
     }
     queue
+}
+
+/// The units left to do, and who is at what.
+struct Todo {
+    units: VecDeque<(usize, FormatName)>,
+    /// How many threads are at a case.
+    threads_at: Vec<usize>,
+}
+
+/// What a thread does next.
+struct Next {
+    case: usize,
+    format: FormatName,
+    /// Whether another thread is at the case.
+    is_shared: bool,
+}
+
+impl Todo {
+    /// A thread stays with its case as long as there is something to do, goes on to one that nobody is at, and helps with
+    /// others last: threads then seldom wait for what both want, and few cases are in memory.
+    fn next(&mut self, mine: Option<usize>) -> Option<Next> {
+        let at = |case: usize| self.threads_at.get(case).copied().unwrap_or(0);
+        let cases = || self.units.iter().map(|(case, _)| *case);
+        let place = cases()
+            .position(|case| Some(case) == mine)
+            .or_else(|| cases().position(|case| at(case) == 0))
+            .or_else(|| {
+                let fewest = cases().enumerate().min_by_key(|&(_, case)| at(case));
+                fewest.map(|(place, _)| place)
+            })?;
+        let (case, format) = self.units.remove(place)?;
+        let threads = self.threads_at.get_mut(case)?;
+        let is_shared = *threads > 0;
+        *threads += 1;
+        Some(Next {
+            case,
+            format,
+            is_shared,
+        })
+    }
+
+    /// A thread is done with its unit of that case.
+    fn leave(&mut self, case: usize) {
+        if let Some(threads) = self.threads_at.get_mut(case) {
+            *threads = threads.saturating_sub(1);
+        }
+    }
+}
+
+/// In what order a unit goes through its levels.
+#[derive(Clone, Copy, PartialEq, Eq)]
+enum Order {
+    FromCoarsest,
+    /// Towards the thread that is at the same case already, so that neither waits for the other's levels.
+    FromFinest,
+    /// On all threads at once.
+    SideBySide,
 }
 
 /// One case in one format, the format still to be chosen.
@@ -190,7 +259,7 @@ struct OneUnit<'a, 's> {
     name: &'s str,
     format: FormatName,
     oracle: &'a Oracle<'s, SymbolicCase>,
-    levels_in_parallel: bool,
+    order: Order,
     progress: &'a dyn Progress,
 }
 
@@ -199,7 +268,11 @@ impl WithFormat for OneUnit<'_, '_> {
 
     fn run<F: Format>(self, format: F) -> Unit {
         let nodes = Shared::new(self.oracle.case(), format);
-        let rows = self.rows(&|n| self.oracle.split(&nodes, n));
+        let rows = self.rows(&|n| {
+            let cells = self.oracle.split(&nodes, n);
+            nodes.forget_columns(n);
+            cells
+        });
         let reference = self.oracle.reference(RADIANCE_BITS);
         let (radiance, unproved) = match reference {
             Ok(reference) => {
@@ -234,10 +307,14 @@ impl OneUnit<'_, '_> {
             records(n, cells, self.sweep.methods.len())
         };
         let all = |levels: &[u64]| -> Vec<Vec<LevelRecord>> {
-            if self.levels_in_parallel {
-                parallel::map(levels, at)
-            } else {
-                levels.iter().map(at).collect()
+            match self.order {
+                Order::SideBySide => parallel::map(levels, at),
+                Order::FromCoarsest => levels.iter().map(at).collect(),
+                Order::FromFinest => {
+                    let mut found: Vec<_> = levels.iter().rev().map(at).collect();
+                    found.reverse();
+                    found
+                }
             }
         };
         let levels = all(&self.sweep.levels);

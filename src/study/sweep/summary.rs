@@ -119,18 +119,25 @@ fn summarize_split(unit: &Unit, row: &Row, length: f64) -> Result<SplitSummary, 
         laws: model.laws,
         crossing: model.crossing(),
         best: model.best(),
-        bits_needed: TOLERANCES.map(|tolerance| Bits {
-            tolerance,
-            bits: bits_for(&model, tolerance, &unit.radiance),
-        }),
+        bits_needed: bits_needed(&model, &unit.radiance),
         model,
     })
 }
 
-fn bits_for(model: &ErrorModel, tolerance: f64, radiance: &Float) -> Option<u32> {
+fn bits_needed(model: &ErrorModel, radiance: &Float) -> [Bits; TOLERANCES.len()] {
     let size = MpfrReal::from(radiance.clone()).log2_abs();
-    let wanted = size + tolerance.log2();
-    wanted.is_finite().then(|| model.bits_for(wanted)).flatten()
+    let wanted = TOLERANCES.map(|tolerance| size + tolerance.log2());
+    // Relative to 0 nothing is asked for.
+    let found = if size.is_finite() {
+        model.bits_for_each(wanted)
+    } else {
+        [None; TOLERANCES.len()]
+    };
+    let mut found = found.into_iter();
+    TOLERANCES.map(|tolerance| Bits {
+        tolerance,
+        bits: found.next().flatten(),
+    })
 }
 
 fn sample(n: u64, length: f64, error: &Float, floor: &Float) -> Sample {
