@@ -114,9 +114,19 @@ fn lost_a_segment(found: &Weights, n: usize) -> f64 {
         middles
     };
     let inner = &family[2.min(family.len() - 1)..5.min(family.len())];
-    match inner {
+    let of_three = match inner {
         [near, _, far] if *near > 0.0 && *far > 0.0 => ((near / far).ln() / 2.0).abs(),
         _ => 0.0,
+    };
+    // Neighbours of which one counts twice say less than those that are far apart.
+    let top = family.iter().copied().fold(0.0, f64::max);
+    let mut lit = (1..family.len() - 1).filter(|k| family[*k] > NONE * top);
+    match (lit.next(), lit.next_back()) {
+        (Some(near), Some(far)) => {
+            let apart = (family[near] / family[far]).ln() / (far - near) as f64;
+            of_three.min(apart.abs())
+        }
+        _ => of_three,
     }
 }
 

@@ -8,7 +8,7 @@ use super::influence::{self, Influence};
 use super::opacity::{self, measure::Measurer};
 use super::output::Mapped;
 use super::places::{self, Places, Samples};
-use super::rule::{Channels, End, LastStep, Lattice, Law, Rule, Scheme, StopBy, Wall, Whole};
+use super::rule::{Channels, End, Lattice, Law, Rule, Scheme, StopBy, Wall, Whole};
 use super::session::Session;
 use super::state::Name;
 use super::weights::Answers;
@@ -24,6 +24,8 @@ struct Sampled {
     grain: f64,
     typical: f64,
     vacuum: Vacuum,
+    /// The extinction at which the length of the last segment is looked for.
+    last: f64,
 }
 
 pub(super) fn run(
@@ -155,10 +157,13 @@ fn read(
     };
     if let pose::Known::Spread(spread) = session.pose.places {
         sampled.rule.sequence.seam = Some(spread.seam);
-        // Of a last segment that is never sampled its length says nothing.
-        if !spread.takes_the_last() {
-            sampled.rule.sequence.last_step = LastStep::Own;
-        }
+        // The last segment is that of the ray as it is.
+        (session.pose, session.divides) = (start.poses, start.divides);
+        let answers = Answers {
+            grain: sampled.grain,
+            ..answers.clone()
+        };
+        sampled.rule = last_step(session, &answers, sampled.rule, sampled.last, found)?;
     }
     let fails = &sampled.vacuum;
     found.parts.vacuum_fails = match (fails.part_fails, fails.whole_fails) {
@@ -259,6 +264,7 @@ fn several(
         grain: 0.0,
         typical: 1.0,
         vacuum,
+        last: 1.0,
     })
 }
 
@@ -347,11 +353,8 @@ fn one_sample(
         }
         _ => 6.1 * reference,
     };
-    match ends::last_step(session, &answers, &rule, extinction)? {
-        Some(with_last) => rule = with_last,
-        None => found.not_identified.push(NotIdentified::new(
-            "a shorter last segment counts in no known way",
-        )),
+    if !matches!(session.pose.places, pose::Known::Spread(_)) {
+        rule = last_step(session, &answers, rule, extinction, found)?;
     }
     let typical = measured.reference(1.0).map_or(1.0, |r| 32.0 * r.extinction);
     Ok(Sampled {
@@ -359,5 +362,23 @@ fn one_sample(
         grain: fitted.grain,
         typical,
         vacuum,
+        last: extinction,
     })
+}
+
+/// The rule with what becomes of a shorter last segment.
+fn last_step(
+    session: &mut Session<'_>,
+    answers: &Answers,
+    rule: Rule,
+    extinction: f64,
+    found: &mut Identification,
+) -> Result<Rule, NotIdentified> {
+    if let Some(with_last) = ends::last_step(session, answers, &rule, extinction)? {
+        return Ok(with_last);
+    }
+    found.not_identified.push(NotIdentified::new(
+        "a shorter last segment counts in no known way",
+    ));
+    Ok(rule)
 }

@@ -12,6 +12,8 @@ use crate::real::Native;
 const PART: f64 = 0.3;
 /// Segments, a multiple of what loops are unrolled by.
 const SEGMENTS: usize = 9;
+/// How many longer rays may be tried.
+const LONGER: usize = 16;
 
 /// The rule with what a shorter last segment counts as; `None` where no reading explains it.
 pub(in crate::identify) fn last_step(
@@ -27,9 +29,16 @@ pub(in crate::identify) fn last_step(
         return Ok(Some(rule.clone()));
     }
     let unrolled = usize::try_from(rule.sequence.unrolled).unwrap_or(1).max(1);
-    let n = SEGMENTS
+    let least = SEGMENTS
         .next_multiple_of(unrolled)
         .next_multiple_of(session.multiple);
+    // A ray whose last segment is sampled.
+    let lengths = (0..LONGER).map(|k| least + k * unrolled * session.multiple);
+    let takes_the_last = |n: &usize| {
+        let seam = rule.sequence.seam;
+        seam.is_none_or(|seam| seam.times(n - 1, *n) > 0)
+    };
+    let n = lengths.into_iter().find(takes_the_last).unwrap_or(least);
     let taus = vec![extinction; n];
     let mut layers = layers_at(place, 0.25, &taus, &taus);
     layers.last = PART;

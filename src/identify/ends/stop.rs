@@ -177,10 +177,7 @@ pub(in crate::identify) fn early_end(
         stuck[k] = now.is_some_and(|now| now.1 / now.0 > 0.999 * (high / low) && high / low < 1.5);
     }
     let Some((reading, (low, high))) = reading(&trials) else {
-        return match by_sum(session, lone)? {
-            Some(early) => Ok(Some(early)),
-            None => Err(failed(&trials)),
-        };
+        return Err(failed(&trials));
     };
     if high / low - 1.0 > LOOSE.max(fine_enough) {
         return Err(NotIdentified::new(format!(

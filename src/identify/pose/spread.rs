@@ -46,12 +46,6 @@ impl Spread {
         Some((taken, n))
     }
 
-    /// Whether the last segment of a ray of a few segments is one of those.
-    pub(in crate::identify) fn takes_the_last(&self) -> bool {
-        let taken = self.taken(FOR_THE_LAST);
-        taken.is_some_and(|(taken, n)| taken.last() == Some(&(n - 1)))
-    }
-
     /// The longer ray: what is taken twice, or once too often, holds nothing.
     pub(super) fn of(&self, ray: &Ray) -> Result<Ray, Silence> {
         let wanted = ray.segments.count();

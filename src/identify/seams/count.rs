@@ -93,7 +93,9 @@ impl Counter {
         let layers = Layers::of(STEP, &vec![self.extinction; n]);
         let found = weights(session, answers, &layers, &self.nodes(n), &[])?;
         let Some(times) = self.times(&found.of) else {
-            return Ok(false);
+            // One sample alone says nothing, where the ray has a factor.
+            let seen = found.of.iter().filter(|w| w.value.abs() > 3.0 * w.error);
+            return Ok(self.sample.is_some() && seen.count() == 1);
         };
         if self.sample.is_none() {
             self.sample = sample(&found.of, &times);
@@ -146,17 +148,21 @@ impl Counter {
         }
         let (low, high) = (levels.iter().min(), levels.iter().max());
         let (low, high) = (low.copied().unwrap_or(0), high.copied().unwrap_or(0));
-        let once = match (high - low, self.sample) {
-            (1, _) | (0, None) => low,
-            // All alike: as often as the first weighs.
-            (0, Some(sample)) => {
-                let by = lit.first().map_or(1.0, |w| w.value / sample.weight.value);
-                match by {
-                    by if within(by, SAME) => low,
-                    by if within(by, TWICE) => low - 1,
-                    _ => return None,
-                }
+        let once = match (high - low, self.sample, lit.as_slice()) {
+            (1, ..) | (0, None, _) | (0, Some(_), []) => low,
+            // All alike: neighbours fall by what one sample lets through, or by what two do.
+            (0, Some(sample), [near, .., far]) => {
+                let steps = (lit.len() - 1) as f64;
+                let fall = (far.value / near.value).powf(1.0 / steps);
+                let passes = sample.passes.value;
+                let is_twice = (fall - passes * passes).abs() < (fall - passes).abs();
+                if is_twice { low - 1 } else { low }
             }
+            (0, Some(sample), [only]) => match only.value / sample.weight.value {
+                by if within(by, SAME) => low,
+                by if within(by, TWICE) => low - 1,
+                _ => return None,
+            },
             _ => return None,
         };
         let mut levels = levels.into_iter();
@@ -239,21 +245,30 @@ fn sample(w: &[Measured], times: &[usize]) -> Option<Sample> {
     })
 }
 
-/// Whether weights are those of samples that are taken so often, one after the other.
+/// Whether weights are those of samples that are taken so often, one after the other, but for a factor of the ray.
 fn follows(sample: &Sample, w: &[Measured], times: &[usize], relative: f64) -> bool {
-    let (weight, passes) = (sample.weight, sample.passes);
+    let passes = sample.passes;
+    let copies = |times: usize| match times {
+        0 => 0.0,
+        1 => 1.0,
+        _ => 1.0 + passes.value,
+    };
     let mut taken = 0_usize;
+    let mut first: Option<Measured> = None;
     for (w, times) in w.iter().zip(times) {
-        let copies = match times {
-            0 => 0.0,
-            1 => 1.0,
-            _ => 1.0 + passes.value,
-        };
-        let want = weight.value * passes.value.powf(taken as f64) * copies;
-        let part = weight.error / weight.value.abs() + passes.error * (taken + 1) as f64;
-        let allowed = 3.0 * w.error + want.abs() * (3.0 * part + 8.0 * relative);
-        if *times > 0 && (w.value - want).abs() > allowed {
-            return false;
+        let seen = passes.value.powf(taken as f64) * copies(*times);
+        if *times > 0 {
+            let own = Measured {
+                value: w.value / seen,
+                error: w.error / seen,
+            };
+            let first = *first.get_or_insert(own);
+            let part = passes.error * (taken + 1) as f64;
+            let allowed =
+                3.0 * (own.error + first.error) + own.value.abs() * (3.0 * part + 8.0 * relative);
+            if (own.value - first.value).abs() > allowed {
+                return false;
+            }
         }
         taken += times;
     }
