@@ -130,6 +130,7 @@ impl Random {
                 Step::PowersOfTwo,
             ]),
         });
+        let quantum = self.one_in(6).then_some(1.0 / 255.0);
         let series = self.one_in(5).then(|| Series {
             below: self.between(0.1, 0.5),
             terms: self.of(&[1, 2, 3, 5]),
@@ -144,9 +145,12 @@ impl Random {
             uncorrected_under: self.rarely(0.1, 0.7),
             uncorrected_length: 0.25,
             series,
-            quantum: self.one_in(6).then_some(1.0 / 255.0),
+            quantum,
             // Those of a unit of length go with one law of opacity alone.
-            quantised: self.of(&[Quantised::Nearest, Quantised::Below]),
+            quantised: match quantum {
+                Some(_) => self.of(&[Quantised::Nearest, Quantised::Below]),
+                None => Quantised::default(),
+            },
             table,
         }
     }
