@@ -19,13 +19,7 @@ pub(super) fn about_blocks(
     random: &mut Random,
     misses: &mut Vec<Miss>,
 ) -> Result<Kind, Silence> {
-    let mut kind = Kind {
-        name: "of so many segments as blocks, and a few more or fewer".into(),
-        rays: 0,
-        agree: 0,
-        unanswered: 0,
-        digits: 17.0,
-    };
+    let mut kind = Kind::of("of so many segments as blocks, and a few more or fewer".into());
     let count = seam.blocks.count();
     let times: &[u64] = match seam.blocks {
         Blocks::Segments(_) => &[1, 2, 3],

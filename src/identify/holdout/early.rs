@@ -19,13 +19,7 @@ pub(super) fn about_the_end(
     random: &mut Random,
     misses: &mut Vec<Miss>,
 ) -> Result<Kind, Silence> {
-    let mut kind = Kind {
-        name: "about to end early".into(),
-        rays: 0,
-        agree: 0,
-        unanswered: 0,
-        digits: 17.0,
-    };
+    let mut kind = Kind::of("about to end early".into());
     let make = Make {
         depth: [1.0, 1.0],
         segments: [16, 24],

@@ -1,5 +1,7 @@
 //! The kinds of rays that are held out.
 
+use super::Kind;
+
 /// The depth of a segment that is a wall.
 pub(super) const WALL: f64 = 1e5;
 
@@ -23,6 +25,26 @@ pub(super) struct Make {
     pub(super) whole: usize,
     /// How many whose last step is shorter.
     pub(super) partial: usize,
+}
+
+impl Make {
+    /// Its name, of rays whose last step is shorter or not.
+    pub(super) fn kind(&self, is_partial: bool) -> Kind {
+        let end = if is_partial && self.what != What::ShortLast {
+            ", shorter last step"
+        } else {
+            ""
+        };
+        Kind::of(format!("{}{end}", self.name))
+    }
+
+    /// Whether there are segments that hold nothing.
+    pub(super) fn has_gaps(&self) -> bool {
+        matches!(
+            self.what,
+            What::Gaps | What::EmptyEnd | What::EmptyEighths | What::OneName
+        )
+    }
 }
 
 /// Values beside others that a kernel may take for something else than they are.

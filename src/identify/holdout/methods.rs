@@ -1,8 +1,8 @@
 //! Methods that state no rule, beside the answers to all kinds of rays.
 
-use super::kinds::{CORE, MAKES, Make, WALL, What};
+use super::kinds::{CORE, MAKES, WALL, What};
 use super::ray::ray;
-use super::{HoldOut, Kind, Terms};
+use super::{HoldOut, Terms};
 use crate::case::Transfer;
 use crate::identify::precision::Precision;
 use crate::identify::random::Random;
@@ -42,7 +42,7 @@ pub(in crate::identify) fn by_method(
             (false, make.whole.max(usize::from(partial == 0))),
             (true, partial),
         ] {
-            let mut kind = named(&make, is_partial);
+            let mut kind = make.kind(is_partial);
             for turn in 0..rays {
                 let ray = ray(session, &mut random, make, (is_partial, turn), terms);
                 kind.rays += 1;
@@ -81,21 +81,6 @@ pub(in crate::identify) fn by_method(
         [layers] if out.is_whole() => Some((layers, out)),
         _ => None,
     })
-}
-
-fn named(make: &Make, is_partial: bool) -> Kind {
-    let shorter = is_partial && make.what != What::ShortLast;
-    Kind {
-        name: format!(
-            "{}{}",
-            make.name,
-            if shorter { ", shorter last step" } else { "" }
-        ),
-        rays: 0,
-        agree: 0,
-        unanswered: 0,
-        digits: 17.0,
-    }
 }
 
 /// The digits in which the answers of all channels are a method's; `None` where one is not, but for rounding.

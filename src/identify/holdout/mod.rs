@@ -21,7 +21,7 @@ use super::weights::Answers;
 use crate::case::catalogue;
 use blocks::about_blocks;
 use early::about_the_end;
-use kinds::{CORE, MAKES, NEGATIVE, WALL, What};
+use kinds::{CORE, MAKES, Make, NEGATIVE, WALL, What};
 use ray::ray;
 use told::Told;
 
@@ -41,6 +41,17 @@ pub struct Kind {
 }
 
 impl Kind {
+    /// Of which no ray was asked yet.
+    pub(super) fn of(name: String) -> Self {
+        Kind {
+            name,
+            rays: 0,
+            agree: 0,
+            unanswered: 0,
+            digits: 17.0,
+        }
+    }
+
     /// Whether the rule was seen to hold on rays of this kind.
     #[must_use]
     pub fn holds(&self) -> bool {
@@ -132,18 +143,7 @@ pub(super) fn hold_out(
     // Of those that a kernel is given elsewhere: one that does something of its own on a case it knows shows.
     let mut names = catalogue::names().skip(1).step_by(2);
     for make in MAKES {
-        let has_gaps = matches!(
-            make.what,
-            What::Gaps | What::EmptyEnd | What::EmptyEighths | What::OneName
-        );
-        if (has_gaps && terms.no_vacuum)
-            || (make.what == What::Negative && !terms.negative)
-            || (make.what == What::OneName && terms.by_name)
-            || (session.is_short() && !CORE.contains(&make.name))
-            // Quadratures inside segments have their own end; between nodes a wall is a slope.
-            || (make.what == What::Opaque(WALL)
-                && (rule.lattice.is_some() || matches!(rule.scheme, Scheme::Segments { .. })))
-        {
+        if (session.is_short() && !CORE.contains(&make.name)) || !is_asked(make, rule, terms) {
             continue;
         }
         let counts = if session.divides {
@@ -160,21 +160,7 @@ pub(super) fn hold_out(
             if rays == 0 {
                 continue;
             }
-            let mut kind = Kind {
-                name: format!(
-                    "{}{}",
-                    make.name,
-                    if partial && make.what != What::ShortLast {
-                        ", shorter last step"
-                    } else {
-                        ""
-                    }
-                ),
-                rays: 0,
-                agree: 0,
-                unanswered: 0,
-                digits: 17.0,
-            };
+            let mut kind = make.kind(partial);
             for turn in 0..rays {
                 let ray = ray(session, &mut random, make, (partial, turn), terms);
                 let name = names.next().filter(|_| make.what != What::OneName);
@@ -182,7 +168,7 @@ pub(super) fn hold_out(
                 match named(session, rule, terms, ray, name, &mut out.by_case) {
                     Ok((ray, got)) => {
                         answers.extend_from_slice(&got);
-                        told.hear(rule, terms, &ray, &got, has_gaps);
+                        told.hear(rule, terms, &ray, &got, make.has_gaps());
                         let mut misses = Vec::new();
                         judge(rule, terms, &ray, &got, &mut kind, &mut misses);
                         let is_there = make.what != What::Negative;
@@ -231,6 +217,19 @@ pub(super) fn hold_out(
     Ok(out)
 }
 
+/// Whether a kernel that has this rule can be asked rays of that kind.
+fn is_asked(make: Make, rule: &Rule, terms: &Terms<'_>) -> bool {
+    match make.what {
+        What::Negative => terms.negative,
+        What::OneName if terms.by_name => false,
+        // Quadratures inside segments have their own end; between nodes a wall is a slope.
+        What::Opaque(WALL) => {
+            rule.lattice.is_none() && matches!(rule.scheme, Scheme::Sample { .. })
+        }
+        _ => !(make.has_gaps() && terms.no_vacuum),
+    }
+}
+
 /// All rays once more, where answers to these have more digits than the few had that told how they are rounded.
 fn again(
     rule: &Rule,
@@ -248,11 +247,8 @@ fn again(
         ..*terms
     };
     let mut kind = Kind {
-        name: "any of these, to all their digits".into(),
         rays: held.len(),
-        agree: 0,
-        unanswered: 0,
-        digits: 17.0,
+        ..Kind::of("any of these, to all their digits".into())
     };
     for (ray, got) in held {
         judge(rule, &terms, ray, got, &mut kind, misses);

@@ -69,27 +69,11 @@ pub(super) fn ray(
             let opaque = depth * terms.typical / step;
             (edges[at], edges[at + 1], middles[at]) = (opaque, opaque, opaque);
         }
-        What::Smooth => {
+        What::Smooth | What::Even | What::NearlyEven => {
             let mean = depth / (n as f64 * step);
-            let wave = wave(random);
-            edges = (0..=n).map(|i| mean * wave(i as f64 / n as f64)).collect();
-            middles = (0..n)
-                .map(|i| mean * wave((i as f64 + 0.5) / n as f64))
-                .collect();
-        }
-        What::Even => {
-            let tau = depth / (n as f64 * step);
-            (edges, middles) = (vec![tau; n + 1], vec![tau; n]);
-        }
-        What::NearlyEven => {
-            let tau = depth / (n as f64 * step);
-            let mut of = |place: f64| match Stretch::at(place, n) {
-                Stretch::SameExtinction(_) => tau,
-                Stretch::SameEmission(part) => tau * drift(part),
-                Stretch::Neither => tau * zigzag(place, random),
-            };
-            edges = (0..=n).map(|i| of(i as f64)).collect();
-            middles = (0..n).map(|i| of(i as f64 + 0.5)).collect();
+            let mut part = parts(make.what, n, random);
+            edges = (0..=n).map(|i| mean * part(i as f64)).collect();
+            middles = (0..n).map(|i| mean * part(i as f64 + 0.5)).collect();
         }
         What::OneName => {
             // The same at both ends: a key made of these is no key.
@@ -98,24 +82,11 @@ pub(super) fn ray(
         }
         What::Full | What::Gaps | What::Negative | What::ShortLast => {}
     }
-    let bright = make.bright * if partial { 1.0 } else { 4.0 };
-    // Narrow formats end not far below.
-    let is_wide = terms.answers.unit < 1e-6;
-    let bright = bright
-        * if make.bright < 1.0 && is_wide {
-            1e-3
-        } else {
-            1.0
-        };
     if make.values == Values::Symmetric {
-        for values in [&mut edges, &mut middles] {
-            let near = values.len() / 2;
-            let mirrored: Vec<f64> = values[..near].iter().rev().copied().collect();
-            let far = values.len() - near;
-            values[far..].copy_from_slice(&mirrored);
-        }
+        mirror(&mut edges);
+        mirror(&mut middles);
     }
-    let mut emission = emissions(make.what, n, bright, random);
+    let mut emission = emissions(make.what, n, brightest(make, partial, terms), random);
     of_kind(make.values, &mut emission, &edges, &middles);
     if make.what == What::OneName {
         let all = emission
@@ -138,6 +109,38 @@ pub(super) fn ray(
         ray.name = "probe".into();
     }
     ray
+}
+
+/// What part of its mean an extinction is at a place in segments, where it changes little from one to the next.
+fn parts<'r>(what: What, n: usize, random: &'r mut Random) -> Box<dyn FnMut(f64) -> f64 + 'r> {
+    match what {
+        What::Smooth => {
+            let wave = wave(random);
+            Box::new(move |place| wave(place / n as f64))
+        }
+        What::NearlyEven => Box::new(move |place| match Stretch::at(place, n) {
+            Stretch::SameExtinction(_) => 1.0,
+            Stretch::SameEmission(part) => drift(part),
+            Stretch::Neither => zigzag(place, random),
+        }),
+        _ => Box::new(|_| 1.0),
+    }
+}
+
+/// The largest emission.
+fn brightest(make: Make, partial: bool, terms: &Terms<'_>) -> f64 {
+    let bright = make.bright * if partial { 1.0 } else { 4.0 };
+    // Narrow formats end not far below.
+    let is_dimmer = make.bright < 1.0 && terms.answers.unit < 1e-6;
+    bright * if is_dimmer { 1e-3 } else { 1.0 }
+}
+
+/// The same from both ends.
+fn mirror(values: &mut [f64]) {
+    let near = values.len() / 2;
+    let mirrored: Vec<f64> = values[..near].iter().rev().copied().collect();
+    let far = values.len() - near;
+    values[far..].copy_from_slice(&mirrored);
 }
 
 /// The emissions of three channels.
