@@ -1,7 +1,7 @@
 //! Cases whose closed forms are compared with the integral.
 //!
-//! Statements that are proved leave nothing to compare, unless a proof is wrong. So whenever a case is made for a
-//! user, t(D) and I(D) are integrated without their closed forms: two ways that share next to nothing.
+//! Statements that are proved leave nothing to compare, unless a proof is wrong. So whenever a case is made of a
+//! user's file, t(D) and I(D) are integrated without their closed forms: two ways that share next to nothing.
 
 use crate::case::manufacture::{self, Contradiction, ManufactureError, Manufactured};
 use crate::case::{Case, Description, SymbolicCase};

@@ -64,6 +64,12 @@ pub trait Format: Copy + Debug + Display + PartialEq + Send + Sync + 'static {
         binary64_by_ratio(self, x)
     }
 
+    /// The number nearest to one that is `high` + `low` but for 2⁻⁹⁰ of it, where `high` > 0 is that number in binary64;
+    /// `None` where this does not decide it, and of formats that have no shorter way than a rational number.
+    fn nearest(self, _high: f64, _low: f64) -> Option<Self::Real> {
+        None
+    }
+
     /// π, rounded once to nearest.
     fn pi(self) -> Self::Real;
 }

@@ -96,6 +96,23 @@ impl<T> Display for Native<T> {
     }
 }
 
+/// How near a number may be to where rounding turns, in units in binary64's last place, before it is not decided.
+const UNDECIDED: f64 = 1e-6;
+
+/// The bits of binary64's fraction.
+const FRACTION: u64 = (1 << (f64::MANTISSA_DIGITS - 1)) - 1;
+
+/// The largest power of two that is not above x > 0.
+fn power_of_two_below(x: f64) -> f64 {
+    f64::from_bits(x.to_bits() & !FRACTION)
+}
+
+/// The bits of a normal number from the first to the last that is set.
+fn significant_bits(x: f64) -> u32 {
+    let fraction = x.to_bits() & FRACTION;
+    f64::MANTISSA_DIGITS - (fraction | (FRACTION + 1)).trailing_zeros()
+}
+
 impl<T: NativeFloat> Format for Native<T> {
     type Real = T;
 
@@ -137,6 +154,20 @@ impl<T: NativeFloat> Format for Native<T> {
             wide.next_down();
         }
         T::from_f64(wide.to_f64()).unwrap_or_else(T::nan)
+    }
+
+    #[inline]
+    fn nearest(self, high: f64, low: f64) -> Option<T> {
+        let is_decided = if self.bits() == f64::MANTISSA_DIGITS {
+            // It is that number already, unless it is half a unit off; below a power of two a unit is half as large.
+            let unit = f64::EPSILON * power_of_two_below(high);
+            let from = |part: f64| (low.abs() - part * unit).abs();
+            from(0.5).min(from(0.25)) > UNDECIDED * unit
+        } else {
+            // Of so few bits it may be half way between two numbers.
+            significant_bits(high) > self.bits() + 1
+        };
+        (high > 0.0 && is_decided).then(|| self.binary64(high))
     }
 
     #[inline]

@@ -79,7 +79,7 @@ impl<'c, C: Case, F: Format> Fresh<'c, C, F> {
         let grid = self.grid(n, &offset);
         let twice = match &grid {
             Some(_) => None,
-            None => Twice::new(self.format, &self.length, n, &offset),
+            None => Twice::new(&self.length, n, &offset),
         };
         (0..count).map(move |j| match (&grid, &twice) {
             (Some(grid), _) => {

@@ -4,11 +4,6 @@
 use crate::real::Format;
 use rug::Rational;
 
-/// Formats whose numbers may be rounded from such a sum: it is off by some 2⁻¹⁰⁰ of itself.
-const MOST_BITS: u32 = 53;
-/// How near a number may be to where rounding turns, in units in binary64's last place, before it is not decided here.
-const UNDECIDED: f64 = 1e-6;
-
 /// The places D·(j + offset)/n as sums of two numbers of binary64.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Twice {
@@ -20,20 +15,15 @@ pub(super) struct Twice {
 }
 
 impl Twice {
-    /// `None` where numbers are not exact in binary64 that have to be, or a format has more bits.
-    pub(super) fn new<F: Format>(
-        format: F,
-        length: &Rational,
-        n: u64,
-        offset: &Rational,
-    ) -> Option<Self> {
-        let exact = |x: u64| (x < 1 << MOST_BITS).then_some(x as f64);
+    /// `None` where numbers are not exact in binary64 that have to be.
+    pub(super) fn new(length: &Rational, n: u64, offset: &Rational) -> Option<Self> {
+        let exact = |x: u64| (x < 1 << f64::MANTISSA_DIGITS).then_some(x as f64);
         let scale = exact(length.numer().to_u64()?)?;
         let divisor = exact(length.denom().to_u64()?.checked_mul(n)?)?;
         exact(n)?;
         let high = offset.to_f64();
         let low = (offset - Rational::from_f64(high)?).to_f64();
-        (format.bits() <= MOST_BITS).then_some(Twice {
+        Some(Twice {
             offset: [high, low],
             scale,
             divisor,
@@ -52,23 +42,8 @@ impl Twice {
         let (whole, part) = two_product(quotient, self.divisor);
         let remainder = ((product - whole) - part) + error;
         let (near, rest) = two_sum(quotient, remainder / self.divisor);
-        if format.bits() == MOST_BITS {
-            // Rounded to nearest already, unless it is half a unit off.
-            let unit = f64::EPSILON * power_of_two_below(near);
-            let turns = (rest.abs() - 0.5 * unit).abs() <= UNDECIDED * unit
-                // A power of two has a shorter way down.
-                || (rest.abs() - 0.25 * unit).abs() <= UNDECIDED * unit;
-            return (near > 0.0 && !turns).then(|| format.binary64(near));
-        }
-        let (below, above) = (near.next_down(), near.next_up());
-        let rounded = format.binary64(below);
-        (rounded == format.binary64(above)).then_some(rounded)
+        format.nearest(near, rest)
     }
-}
-
-/// The largest power of two that is not above x > 0.
-fn power_of_two_below(x: f64) -> f64 {
-    f64::from_bits(x.to_bits() & !((1 << (MOST_BITS - 1)) - 1))
 }
 
 /// a + b, and what rounding takes of it (Knuth).
