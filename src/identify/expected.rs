@@ -1,7 +1,7 @@
 //! What a kernel is to compute: the rule that it declares, or the one of the same places without faults.
 
 use super::deviation::right_of;
-use super::rule::{Lattice, Law, Place, Rule, Scheme, Wall};
+use super::rule::{Lattice, Law, Place, Rule, Scheme, Shape, Wall};
 use super::{Identification, stated};
 use crate::kernel::{Declaration, Sampling};
 use crate::method::{Expected, Exponential, Inner, Layers, Method, Nested, Outer, Scope};
@@ -32,8 +32,8 @@ pub(super) fn expected(found: &Identification, declaration: &Declaration) -> Vec
     rules.into_iter().map(but_for).collect()
 }
 
-/// The rule of layers, or of Riemann sums, that it is, where that has the order that is declared: nobody who asks for no
-/// more errs by it.
+/// The rule of layers, of Riemann sums or of an implicit step that it is, where that has the order that is declared: nobody
+/// who asks for no more errs by it.
 fn of_order(found: &Rule, declaration: &Declaration) -> Option<Rule> {
     let claimed = declaration.order?;
     let place = place(declaration);
@@ -54,13 +54,47 @@ fn of_order(found: &Rule, declaration: &Declaration) -> Option<Rule> {
         let suffices = matches!(method.order(), Expected::Order(own) if own >= claimed);
         stated(&method).filter(|_| suffices)
     });
-    rules.find(|rule| {
+    let of_steps = implicit(found, place).filter(|(_, own)| *own >= claimed);
+    let of_steps = of_steps.map(|(rule, _)| rule);
+    let known = rules.find(|rule| {
         let is_placed = match (&rule.scheme, place) {
             (Scheme::Sample { place, .. }, Some(declared)) => *place == declared,
             (Scheme::Sample { .. } | Scheme::Segments { .. }, _) => true,
         };
         is_placed && rule.scheme == found.scheme
-    })
+    });
+    known.or(of_steps)
+}
+
+/// dI/dλ = τ (I − C) in one implicit step a segment, and its order: Euler's, which lets 1/(1 + x) through, and the midpoint's,
+/// (1 − x/2)/(1 + x/2), with C and τ where they are sampled.
+fn implicit(found: &Rule, declared: Option<Place>) -> Option<(Rule, f64)> {
+    let Scheme::Sample { place, law } = &found.scheme else {
+        return None;
+    };
+    let of_step = match law.shape {
+        Shape::Reciprocal => 1.0,
+        Shape::CrankNicolson => 2.0,
+        Shape::Exponential | Shape::Linear | Shape::Quadratic | Shape::Clear => return None,
+    };
+    let of_place = match place {
+        Place::Front | Place::Back => 1.0,
+        Place::Middle => 2.0,
+    };
+    let plain = Law {
+        shape: law.shape,
+        ..Law::default()
+    };
+    let is_plain = *law == plain && declared.is_none_or(|declared| declared == *place);
+    let scheme = Scheme::Sample {
+        place: *place,
+        law: plain,
+    };
+    let rule = Rule {
+        scheme,
+        ..Rule::default()
+    };
+    is_plain.then_some((rule, f64::min(of_step, of_place)))
 }
 
 /// Where a declaration says that the one sample of a segment lies.

@@ -319,3 +319,25 @@ fn a_riemann_sum_is_right_where_no_more_than_its_order_is_declared() {
     assert_eq!(deviations(Some(2.0)), ["weight"]);
     assert_eq!(deviations(None), ["weight"]);
 }
+
+/// Euler's and the midpoint's implicit steps have the orders 1 and 2; no more is promised of them.
+#[test]
+fn an_implicit_step_is_right_where_no_more_than_its_order_is_declared() {
+    let euler = || March {
+        place: 2,
+        opacity: |x| x / (1.0 + x),
+        ..PLAIN
+    };
+    let midpoint = || March {
+        opacity: |x| x / (1.0 + x / 2.0),
+        ..PLAIN
+    };
+    let all: [(fn() -> March, f64); 2] = [(euler, 1.0), (midpoint, 2.0)];
+    for (march, own) in all {
+        for (order, deviates) in [(Some(own), false), (Some(own + 1.0), true), (None, true)] {
+            let examined = examined(march, |declaration| declaration.order = order);
+            assert!(examined.found.named().is_some());
+            assert_eq!(!names(&examined).is_empty(), deviates, "{own} as {order:?}");
+        }
+    }
+}
