@@ -174,6 +174,32 @@ fn ratio_near_a_tie<T: Pattern>(a: u64, hair: u8) -> bool {
     .all(|q| is_nearest(Native::<T>::new().ratio(q), q))
 }
 
+/// The same where a number comes as a sum of two of binary64: nearest, or not decided; always decided off ties.
+fn nearest_to_a_sum<T: Pattern>(a: u64, beyond: i64, hair: u8) -> bool {
+    let Some(tie) = rational::<T>(a, 0, true) else {
+        return true;
+    };
+    let nearest = |q: &Rational| {
+        let high = Native::<f64>::new().ratio(q);
+        let low = (q - Rational::from_f64(high)?).to_f64();
+        Native::<T>::new().nearest(high, low)
+    };
+    let hair = Rational::from(1) >> (60 + u32::from(hair % 30));
+    let near = [
+        &tie * (Rational::from(1) + &hair),
+        &tie * (Rational::from(1) - &hair),
+        tie,
+    ];
+    let off = rational::<T>(a, beyond, false).filter(|q| {
+        // Far from a tie, and not so small that what binary64 leaves of it is lost.
+        let part = beyond as f64 / i64::MAX as f64;
+        *q > 1e-250 && (0.1..0.4).contains(&part)
+    });
+    near.iter()
+        .all(|q| nearest(q).is_none_or(|x| is_nearest(x, q)))
+        && off.is_none_or(|q| nearest(&q).is_some_and(|x| is_nearest(x, &q)))
+}
+
 fn fraction<T: Pattern>(a: u64, b: u64, shift: u8, factor: u8) -> bool {
     let format = Native::<T>::new();
     // Operands of every size, so that the short cut and the rational path are both taken.
@@ -212,6 +238,7 @@ fn all<T: Pattern>() {
     check.quickcheck(square_root::<T> as fn(u64) -> bool);
     check.quickcheck(ratio::<T> as fn(u64, i64, bool) -> bool);
     check.quickcheck(ratio_near_a_tie::<T> as fn(u64, u8) -> bool);
+    check.quickcheck(nearest_to_a_sum::<T> as fn(u64, i64, u8) -> bool);
     check.quickcheck(fraction::<T> as fn(u64, u64, u8, u8) -> bool);
     check.quickcheck(integer::<T> as fn(i64, u8) -> bool);
 }

@@ -2,7 +2,7 @@
 
 use super::kinds::{Make, USUAL};
 use super::ray::ray;
-use super::{Kind, Miss, Terms, judge};
+use super::{Kind, Miss, Terms, ask_one};
 use crate::identify::random::Random;
 use crate::identify::rule::{Blocks, Rule, Seam};
 use crate::identify::session::{Session, Silence};
@@ -43,12 +43,7 @@ pub(super) fn about_blocks(
             ..USUAL
         };
         let ray = ray(session, random, make, (false, 0), terms);
-        kind.rays += 1;
-        match session.ask_any(&ray) {
-            Ok(got) => judge(rule, terms, &ray, &got, &mut kind, misses),
-            Err(Silence::Budget(spent)) => return Err(Silence::Budget(spent)),
-            Err(_) => kind.unanswered += 1,
-        }
+        ask_one(session, (rule, terms), &ray, &mut kind, misses)?;
     }
     Ok(kind)
 }

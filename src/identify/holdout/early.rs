@@ -2,7 +2,7 @@
 
 use super::kinds::{Make, USUAL};
 use super::ray::ray;
-use super::{Kind, Miss, Terms, judge};
+use super::{Kind, Miss, Terms, ask_one};
 use crate::identify::random::Random;
 use crate::identify::rule::Rule;
 use crate::identify::session::{Session, Silence};
@@ -60,12 +60,7 @@ pub(super) fn about_the_end(
         for scale in [low * (1.0 - NEAR), high * (1.0 + NEAR)] {
             let mut ray = scaled(scale);
             ray.name = session.name();
-            kind.rays += 1;
-            match session.ask_any(&ray) {
-                Ok(got) => judge(rule, terms, &ray, &got, &mut kind, misses),
-                Err(Silence::Budget(spent)) => return Err(Silence::Budget(spent)),
-                Err(_) => kind.unanswered += 1,
-            }
+            ask_one(session, (rule, terms), &ray, &mut kind, misses)?;
         }
     }
     Ok(kind)

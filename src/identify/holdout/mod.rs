@@ -291,6 +291,23 @@ fn agrees(rule: &Rule, terms: &Terms<'_>, ray: &Ray, got: &[f64]) -> bool {
     all.iter().all(|compared| compared.agrees)
 }
 
+/// Asks one ray of a kind and compares its answers with the rule's.
+fn ask_one(
+    session: &mut Session<'_>,
+    (rule, terms): (&Rule, &Terms<'_>),
+    ray: &Ray,
+    kind: &mut Kind,
+    misses: &mut Vec<Miss>,
+) -> Result<(), Silence> {
+    kind.rays += 1;
+    match session.ask_any(ray) {
+        Ok(got) => judge(rule, terms, ray, &got, kind, misses),
+        Err(Silence::Budget(spent)) => return Err(Silence::Budget(spent)),
+        Err(_) => kind.unanswered += 1,
+    }
+    Ok(())
+}
+
 /// Compares the answers to a ray with the rule's; one that decides nothing is not counted.
 fn judge(
     rule: &Rule,

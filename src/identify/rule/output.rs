@@ -94,7 +94,7 @@ impl Output {
         if let Some(quantum) = self.quantum {
             let quantum = format.binary64(quantum);
             let count = y / &quantum + &format.fraction(1, 2);
-            y = super::law::whole(&count) * &quantum;
+            y = super::range::whole(&count) * &quantum;
         }
         y
     }
