@@ -49,6 +49,8 @@ pub mod study {
     pub use crate::study::run::{exact, exact_radiance};
     #[cfg(feature = "studies")]
     pub use crate::study::tradeoff::calibration::solve::costs;
+    #[cfg(feature = "studies")]
+    pub use crate::study::tradeoff::counting::counts;
 
     /// Inside [`plan`](crate::study::plan).
     #[cfg(feature = "studies")]

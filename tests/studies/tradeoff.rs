@@ -1,6 +1,7 @@
 //! `volver tradeoff`: deterministic without times, complete in every form, and clear about what is wrong.
 
 mod costs;
+mod counting;
 mod fronts;
 
 use assert_cmd::Command;

@@ -102,6 +102,20 @@ impl Counts {
         calls.fold(0, |sum, (_, count)| sum.saturating_add(count))
     }
 
+    /// These after as many more steps as led from `before` to here; `None` where they fell, or beyond 2⁶⁴.
+    pub(crate) fn carried_on(&self, before: &Counts, steps: u64) -> Option<Counts> {
+        let mut carried = Counts::default();
+        for (carried, (now, before)) in carried
+            .counts
+            .iter_mut()
+            .zip(self.counts.iter().zip(before.counts))
+        {
+            let step = now.checked_sub(before)?;
+            *carried = step.checked_mul(steps)?.checked_add(*now)?;
+        }
+        Some(carried)
+    }
+
     /// The counts of nothing but `count` of one kind.
     #[must_use]
     pub fn of(kind: Kind, count: u64) -> Counts {

@@ -8,6 +8,7 @@ mod catalogue;
 mod cheapest;
 mod clock;
 mod cost;
+pub(crate) mod counting;
 mod journal;
 mod measure;
 mod pareto;

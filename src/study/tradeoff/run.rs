@@ -1,13 +1,13 @@
 //! Running it: errors and counts on all threads, times on one.
 
 use super::catalogue::{USUAL_FORMAT, USUAL_METHOD};
+use super::counting::{counted_segments, counts};
 use super::measure::{nanoseconds, runs_a_measurement};
 use super::{Calibration, JournalError, Outcome, Point, Timing, Unit};
-use crate::case::{CountedCase, Fresh, SymbolicCase};
+use crate::case::{Fresh, SymbolicCase};
 use crate::method::{Method, MethodError};
 use crate::parallel;
-use crate::real::counted::{Counted, count};
-use crate::real::{Counts, Format, FormatName, Mpfr, WithFormat};
+use crate::real::{Counts, Format, FormatName, WithFormat};
 use crate::reference::{self, Reference, ReferenceError};
 use crate::study::Progress;
 use crate::study::run::exact;
@@ -21,7 +21,8 @@ const ERROR_BITS: u32 = 80;
 const LEAST_BITS: u32 = 160;
 /// Every run is measured so often, if it is short.
 const REPEATS: usize = 5;
-/// A run of so many nanoseconds is long.
+
+/// A run of so many nanoseconds is long: what warms up is nothing beside it.
 const LONG: f64 = 5e6;
 
 /// What to run.
@@ -107,8 +108,12 @@ pub fn estimate(settings: &Settings) -> u64 {
     runs.saturating_mul(segments).saturating_mul(rounds)
 }
 
-/// Seconds that a segment of a method takes at 128 bits, counted too, on one core, roughly.
-const SECONDS: f64 = 2e-5;
+/// Seconds that a segment of a method takes at 128 bits where every operation is counted, on one core, roughly.
+const COUNTED_SECONDS: f64 = 2e-5;
+/// The same where none is.
+const MPFR_SECONDS: f64 = 5e-6;
+/// The same in what processors compute with.
+const NATIVE_SECONDS: f64 = 3e-7;
 /// The numbers that a method keeps of a segment: s, C and τ at its nodes, depths, transmittances.
 const NUMBERS: f64 = 16.0;
 /// Bytes a number takes beside its digits.
@@ -117,11 +122,28 @@ const HEADER_BYTES: f64 = 48.0;
 /// Seconds that it will take, within a factor of a few. What is timed runs on one thread.
 #[must_use]
 pub fn seconds(settings: &Settings, threads: usize) -> f64 {
-    let threads = if settings.timed { 1 } else { threads.max(1) };
-    let formats = settings.sweep.formats.iter();
-    let bits = formats.map(|format| f64::from(format.bits()));
-    let weight = bits.fold(1.0, |most, bits| f64::max(most, bits / 128.0));
-    estimate(settings) as f64 * SECONDS * weight / threads as f64
+    let Settings { sweep, timed } = settings;
+    let threads = if *timed { 1 } else { threads.max(1) };
+    let runs = if *timed { 1.0 + REPEATS as f64 } else { 1.0 };
+    let of_part = |part: &Part, case: &SymbolicCase| -> f64 {
+        let weight = f64::max(1.0, f64::from(part.format.bits()) / 128.0);
+        let plain = match part.format {
+            FormatName::F32 | FormatName::F64 => NATIVE_SECONDS,
+            _ => MPFR_SECONDS * weight,
+        };
+        let methods = part.methods.iter().map(|(method, _)| {
+            let levels = sweep.levels.iter().map(|n| {
+                let counted = counted_segments(case, method, *n) as f64;
+                counted * COUNTED_SECONDS * weight + *n as f64 * plain * runs
+            });
+            levels.sum::<f64>()
+        });
+        methods.sum()
+    };
+    let parts = parts(sweep);
+    let cases = sweep.cases.iter();
+    let all = cases.flat_map(|(_, case)| parts.iter().map(move |part| (part, case)));
+    all.map(|(part, case)| of_part(part, case)).sum::<f64>() / threads as f64
 }
 
 /// Bytes that it will take: of as many runs at a time as there are threads.
@@ -208,14 +230,6 @@ impl WithFormat for OneUnit<'_> {
     }
 }
 
-/// What a run does. What a method does depends on how many bits there are and on nothing else of the format, so
-/// that it is counted in MPFR for all of them: the methods are compiled once more for that, not once a format.
-fn counts(case: &CountedCase<'_, SymbolicCase>, bits: u32, method: &Method, n: u64) -> Counts {
-    let nodes = Fresh::new(case, Counted(Mpfr { bits }));
-    let (_, counts) = count(|| black_box(method.radiance(&nodes, n)));
-    counts
-}
-
 impl OneUnit<'_> {
     /// Errors and counts of all runs, on all threads.
     fn points(
@@ -229,10 +243,9 @@ impl OneUnit<'_> {
             .iter()
             .flat_map(|(method, usual)| self.levels.iter().map(|n| (*method, *usual, *n)))
             .collect();
-        let counted = CountedCase(self.case);
         parallel::map(&runs, |&(method, only_usual, n)| {
             let (outcome, counts) = match radiance(method, n) {
-                Ok(radiance) => (self.outcome(&radiance), counts(&counted, bits, &method, n)),
+                Ok(radiance) => (self.outcome(&radiance), counts(self.case, bits, &method, n)),
                 Err(error) => {
                     let reason = error.to_string();
                     (Outcome::Refused { reason }, Counts::default())
@@ -280,15 +293,19 @@ impl OneUnit<'_> {
                 continue;
             }
             let (method, n) = (point.method, point.n);
-            let runs = runs_a_measurement(|| once(method, n));
-            timed.push((point, runs, Vec::new()));
+            let first = nanoseconds(1, || once(method, n));
+            timed.push(if first > LONG {
+                (point, 1, vec![first])
+            } else {
+                (point, runs_a_measurement(|| once(method, n)), Vec::new())
+            });
         }
-        for pass in 0..REPEATS {
+        for _ in 0..REPEATS {
             for (point, runs, times) in &mut timed {
                 let (method, n) = (point.method, point.n);
                 self.progress.advance(n);
-                // A long run says all the first time.
-                if pass > 1 && times.first().is_some_and(|time| *time > LONG) {
+                // Two measurements say all of a long run.
+                if times.len() > 1 && times.first().is_some_and(|time| *time > LONG) {
                     continue;
                 }
                 times.push(nanoseconds(*runs, || once(method, n)));
