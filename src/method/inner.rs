@@ -1,10 +1,12 @@
 //! The inner integral: the optical depth at every place where the outer rule looks.
 
+mod groups;
 mod monte_carlo;
-mod pairs;
 mod segments;
 
-pub use pairs::Filling;
+pub use groups::Filling;
+
+use groups::Group;
 
 use super::Expected;
 use super::breaks::{Allowed, Meeting};
@@ -24,6 +26,9 @@ pub enum Inner {
     PerSegment(Rule),
     /// Simpson's rule over pairs of segments, which uses boundaries alone and leaves the odd ones to be filled.
     SimpsonPairs(Filling),
+    /// Boole's rule over four segments at a time, which uses boundaries alone; the depth at those inside comes of the polynomial
+    /// through all five values.
+    BooleFours,
     /// Random samples.
     MonteCarlo {
         /// Which samples.
@@ -71,7 +76,7 @@ impl Inner {
     /// The optical depth of every segment and up to every boundary.
     ///
     /// # Errors
-    /// [`MethodError::Segments`] where n is 0, or odd for [`Inner::SimpsonPairs`].
+    /// [`MethodError::Segments`] where n is 0, or no multiple of [`Inner::segments_multiple`].
     pub fn depth<N: Nodes>(
         self,
         nodes: &N,
@@ -86,7 +91,11 @@ impl Inner {
                 Ok(OpticalDepth::from_segments(segments, zero))
             }
             Inner::SimpsonPairs(filling) => {
-                let segments = pairs::segment_depths(filling, nodes, n);
+                let segments = groups::segment_depths(Group::Pair(filling), nodes, n);
+                Ok(OpticalDepth::from_segments(segments, zero))
+            }
+            Inner::BooleFours => {
+                let segments = groups::segment_depths(Group::Four, nodes, n);
                 Ok(OpticalDepth::from_segments(segments, zero))
             }
             Inner::MonteCarlo { sampling, seed } => {
@@ -99,7 +108,8 @@ impl Inner {
     #[must_use]
     pub fn segments_multiple(self) -> u64 {
         match self {
-            Inner::SimpsonPairs(_) => 2,
+            Inner::SimpsonPairs(filling) => Group::Pair(filling).size(),
+            Inner::BooleFours => Group::Four.size(),
             Inner::PerSegment(_) | Inner::MonteCarlo { .. } => 1,
         }
     }
@@ -119,7 +129,11 @@ impl Inner {
         require_multiple(&self, n, self.segments_multiple())?;
         match self {
             Inner::PerSegment(rule) => Ok(segments::partial_depths(rule, nodes, n, offset)?),
-            Inner::SimpsonPairs(filling) => Ok(pairs::partial_depths(filling, nodes, n, offset)),
+            Inner::SimpsonPairs(filling) => {
+                let pair = Group::Pair(filling);
+                Ok(groups::partial_depths(pair, nodes, n, offset))
+            }
+            Inner::BooleFours => Ok(groups::partial_depths(Group::Four, nodes, n, offset)),
             Inner::MonteCarlo { sampling, seed } => Ok(monte_carlo::partial_depths(
                 sampling, seed, nodes, n, offset, depth,
             )),
@@ -135,6 +149,7 @@ impl Inner {
         match self {
             Inner::PerSegment(rule) => meeting.allows(Some(rule), 1, peeks),
             Inner::SimpsonPairs(_) => meeting.allows(Some(Rule::Simpson), 2, true),
+            Inner::BooleFours => meeting.allows(Some(Rule::Boole), 4, true),
             Inner::MonteCarlo { .. } => meeting.allows(None, 1, peeks),
         }
     }
@@ -143,12 +158,13 @@ impl Inner {
     /// Monte Carlo); `None` where the depth of a medium whose extinction along the ray is a
     /// polynomial of `extinction_degree` comes out exact.
     ///
-    /// Source: the composite rules' orders; for pairs `SimpsonPairs` in this module.
+    /// Source: the composite rules' orders; for pairs and fours the degree of what fills the boundaries inside.
     #[must_use]
     pub fn order(self, extinction_degree: Option<usize>) -> Option<f64> {
         let (order, degree) = match self {
             Inner::PerSegment(rule) => (f64::from(rule.order()), rule.degree() as usize),
-            Inner::SimpsonPairs(filling) => filling.order_and_degree(),
+            Inner::SimpsonPairs(filling) => Group::Pair(filling).order_and_degree(),
+            Inner::BooleFours => Group::Four.order_and_degree(),
             // How many of the shared samples lie before a node is random, whatever the medium.
             Inner::MonteCarlo {
                 sampling: Sampling::Shared,
@@ -171,7 +187,7 @@ impl Inner {
         };
         let mut limits = match self {
             Inner::PerSegment(rule) => euler_maclaurin(Part::InnerRule, rule, structure),
-            Inner::SimpsonPairs(_) | Inner::MonteCarlo { .. } => {
+            Inner::SimpsonPairs(_) | Inner::BooleFours | Inner::MonteCarlo { .. } => {
                 vec![Limit::new(Part::InnerRule, order)]
             }
         };
@@ -190,6 +206,7 @@ impl fmt::Display for Inner {
         match self {
             Inner::PerSegment(rule) => rule.fmt(f),
             Inner::SimpsonPairs(filling) => filling.fmt(f),
+            Inner::BooleFours => f.pad("boole-fours"),
             Inner::MonteCarlo { sampling, .. } => sampling.fmt(f),
         }
     }

@@ -19,7 +19,7 @@ impl Method {
     /// The method's name, which [`Method::from_str`] reads back.
     ///
     /// - Nested rules: `INNER/OUTER[/EXPONENTIAL]` with the rules' names for both, for INNER also
-    ///   `simpson-pairs-parabola`, `simpson-pairs-trapezoid`, `monte-carlo@SEED`,
+    ///   `simpson-pairs-parabola`, `simpson-pairs-trapezoid`, `boole-fours`, `monte-carlo@SEED`,
     ///   `monte-carlo-independent@SEED` and `monte-carlo-stratified@SEED`. EXPONENTIAL is `exact` (left out) or
     ///   `exact-per-segment`; `linear`, `quadratic` and `cubic` are those of each segment, `linear-whole` and so
     ///   on those of the whole depth.

@@ -96,6 +96,11 @@ fn simpson_over_pairs_with_both_fillings() {
 }
 
 #[test]
+fn boole_over_fours() {
+    compare(Inner::BooleFours, &[4, 8]);
+}
+
+#[test]
 fn monte_carlo_with_each_sampling() {
     for sampling in SAMPLINGS {
         for seed in [0, 12345] {

@@ -39,6 +39,7 @@ fn nested(g: &mut Gen) -> Nested {
     let inner = [
         Inner::PerSegment(rule(g)),
         Inner::SimpsonPairs(of(g, &[Filling::Parabola, Filling::Trapezoid])),
+        Inner::BooleFours,
         Inner::MonteCarlo {
             sampling: of(g, &samplings),
             seed: u64::arbitrary(g),

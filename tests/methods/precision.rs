@@ -46,6 +46,7 @@ fn nested_methods() -> Vec<Method> {
     ];
     let mut inner: Vec<Inner> = RULES.map(Inner::PerSegment).into();
     inner.extend([Filling::Parabola, Filling::Trapezoid].map(Inner::SimpsonPairs));
+    inner.push(Inner::BooleFours);
     inner.extend(samplings.map(|sampling| Inner::MonteCarlo { sampling, seed: 1 }));
     let mut methods = Vec::new();
     for &inner in &inner {

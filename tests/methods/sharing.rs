@@ -38,6 +38,7 @@ fn nested_methods() -> Vec<Method> {
     ];
     let mut inner: Vec<Inner> = rules.map(Inner::PerSegment).into();
     inner.extend([Filling::Parabola, Filling::Trapezoid].map(Inner::SimpsonPairs));
+    inner.push(Inner::BooleFours);
     inner.extend(samplings.map(|sampling| Inner::MonteCarlo { sampling, seed: 9 }));
     let exponentials = [
         (Exponential::Exact, Scope::Whole),

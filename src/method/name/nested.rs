@@ -69,7 +69,8 @@ fn parse_inner(text: &str) -> Option<Inner> {
         return Some(Inner::MonteCarlo { sampling, seed });
     }
     let filling = find(&FILLINGS, text).map(Inner::SimpsonPairs);
-    filling.or_else(|| text.parse().ok().map(Inner::PerSegment))
+    let grouped = filling.or_else(|| find(&[Inner::BooleFours], text));
+    grouped.or_else(|| text.parse().ok().map(Inner::PerSegment))
 }
 
 /// What may stand for a rule.
@@ -89,5 +90,11 @@ pub(super) fn rule_names() -> String {
 /// What may stand for an inner rule.
 pub(super) fn inner_names() -> String {
     let random = SAMPLINGS.map(|sampling| format!("{sampling}@SEED"));
-    format!("{}, {}, {}", rule_names(), names(&FILLINGS), names(&random))
+    let fours = Inner::BooleFours;
+    format!(
+        "{}, {}, {fours}, {}",
+        rule_names(),
+        names(&FILLINGS),
+        names(&random)
+    )
 }

@@ -115,6 +115,7 @@ impl Plain {
                 mean * width
             }
             Inner::SimpsonPairs(filling) => self.pair_depth(filling, j, x),
+            Inner::BooleFours => self.four_depth(j, x),
             Inner::MonteCarlo { sampling, seed } => match sampling {
                 Sampling::Shared => {
                     let (from, to) = (self.place(j, &q(0, 1)), self.place(j, x));
@@ -189,6 +190,35 @@ impl Plain {
             (Filling::Trapezoid, k) => trapezoid(k, x),
         };
         in_steps * self.step()
+    }
+
+    /// The polynomial through the four segments' five values, by Newton's divided differences, integrated by Boole's rule, which
+    /// is exact for it.
+    fn four_depth(&self, j: u64, x: &Rational) -> Rational {
+        let first = j - j % 4;
+        let mut row: Vec<Rational> = (first..=first + 4)
+            .map(|k| self.ramp.tau(&self.place(k, &q(0, 1))))
+            .collect();
+        let mut differences = Vec::new();
+        for order in 1_u32..=5 {
+            differences.push(row[0].clone());
+            let next = row
+                .windows(2)
+                .map(|pair| Rational::from(&pair[1] - &pair[0]));
+            row = next.map(|difference| difference / order).collect();
+        }
+        let polynomial = |u: &Rational| -> Rational {
+            let from_last = differences.iter().zip([0_u32, 1, 2, 3, 4]).rev();
+            from_last.fold(q(0, 1), |sum, (difference, k)| {
+                sum * Rational::from(u - k) + difference
+            })
+        };
+        let boole = |u: &Rational| -> Rational {
+            let at = |k: u32| polynomial(&(Rational::from(u * k) / 4_u32));
+            (at(0) * 7 + at(1) * 32 + at(2) * 12 + at(3) * 32 + at(4) * 7) * u / 90
+        };
+        let front = Rational::from(j % 4);
+        (boole(&Rational::from(x + &front)) - boole(&front)) * self.step()
     }
 
     /// ∫ τ up to boundary i.

@@ -48,6 +48,12 @@ fn a_break_off_the_nodes_leaves_one_more_than_its_power() {
             rules(gauss, Rule::Boole),
             rules(gauss, gauss),
             pairs(Filling::Parabola, Rule::Simpson),
+            nested(
+                Inner::BooleFours,
+                Rule::Simpson,
+                Exponential::Exact,
+                Scope::Whole,
+            ),
         ] {
             assert_eq!(expected(&method, &case), Order(order), "{method}");
             assert_eq!(expected_on(&method, &case, &EVEN), Order(order));

@@ -82,6 +82,14 @@ fn a_pair_of_segments_filled_by_a_trapezoid_loses_an_order() {
     }
 }
 
+#[test]
+fn four_segments_filled_by_their_polynomial_keep_booles_order() {
+    for outer in [Rule::Boole, Rule::GaussLegendre(3)] {
+        let method = nested(Inner::BooleFours, outer, Exponential::Exact, Scope::Whole);
+        assert_order(&method, &SineSquared, 6.0, &[128, 256, 512]);
+    }
+}
+
 /// A Taylor polynomial of degree k leaves O(d^(k+1)) in each of D/d segments; of the whole depth it
 /// leaves a constant.
 #[test]
@@ -208,6 +216,7 @@ fn inner_rules_are_exact_up_to_their_degree() {
         (Inner::PerSegment(Rule::GaussLegendre(3)), 5, 6.0),
         (Inner::SimpsonPairs(Filling::Parabola), 2, 4.0),
         (Inner::SimpsonPairs(Filling::Trapezoid), 1, 3.0),
+        (Inner::BooleFours, 4, 6.0),
     ] {
         assert_eq!(inner.order(Some(degree)), None, "{inner}");
         assert_eq!(inner.order(Some(degree + 1)), Some(order), "{inner}");

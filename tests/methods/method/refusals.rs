@@ -59,6 +59,11 @@ fn levels_that_do_not_suit_a_rule_are_refused() {
             3,
             segments("simpson-pairs-parabola", 3, 2),
         ),
+        (
+            exact(Inner::BooleFours, Rule::Trapezoid),
+            6,
+            segments("boole-fours", 6, 4),
+        ),
     ] {
         assert_eq!(refused(&method, n), error, "{method}");
     }

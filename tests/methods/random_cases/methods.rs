@@ -105,6 +105,7 @@ fn inner(g: &mut Gen) -> Inner {
     match u8::arbitrary(g) % 10 {
         0 => Inner::SimpsonPairs(Filling::Parabola),
         1 => Inner::SimpsonPairs(Filling::Trapezoid),
+        2 => Inner::BooleFours,
         _ => Inner::PerSegment(of(g, &rules)),
     }
 }
