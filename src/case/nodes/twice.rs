@@ -12,21 +12,26 @@ pub(super) struct Twice {
     scale: f64,
     /// n times its denominator.
     divisor: f64,
+    /// D/n, where that is a power of two: places are then exact multiples of it.
+    step: Option<f64>,
 }
 
 impl Twice {
     /// `None` where numbers are not exact in binary64 that have to be.
     pub(super) fn new(length: &Rational, n: u64, offset: &Rational) -> Option<Self> {
         let exact = |x: u64| (x < 1 << f64::MANTISSA_DIGITS).then_some(x as f64);
-        let scale = exact(length.numer().to_u64()?)?;
-        let divisor = exact(length.denom().to_u64()?.checked_mul(n)?)?;
+        let numerator = length.numer().to_u64()?;
+        let denominator = length.denom().to_u64()?.checked_mul(n)?;
+        let (scale, divisor) = (exact(numerator)?, exact(denominator)?);
         exact(n)?;
         let high = offset.to_f64();
         let low = (offset - Rational::from_f64(high)?).to_f64();
+        let are_powers = numerator.is_power_of_two() && denominator.is_power_of_two();
         Some(Twice {
             offset: [high, low],
             scale,
             divisor,
+            step: are_powers.then(|| scale / divisor),
         })
     }
 
@@ -36,6 +41,9 @@ impl Twice {
         let [high, low] = self.offset;
         let (sum, rest) = two_sum(j as f64, high);
         let (sum, rest) = two_sum(sum, rest + low);
+        if let Some(step) = self.step {
+            return format.nearest(sum * step, rest * step);
+        }
         let (product, error) = two_product(sum, self.scale);
         let (product, error) = two_sum(product, error + rest * self.scale);
         let quotient = product / self.divisor;

@@ -126,8 +126,6 @@ pub fn run(
             left: AtomicU64::new(todo.iter().filter(|(c, _)| *c == index).count() as u64),
         })
         .collect();
-    // With fewer units than threads, the levels of a unit share the threads among them.
-    let levels_in_parallel = todo.len() < threads;
     let todo = Mutex::new(Todo {
         threads_at: vec![0; jobs.len()],
         units: todo,
@@ -141,12 +139,13 @@ pub fn run(
                 case,
                 format,
                 is_shared,
-            }) = lock(&todo).next(mine)
+                is_last,
+            }) = lock(&todo).next(mine, threads)
             else {
                 return Ok(());
             };
             mine = Some(case);
-            let order = match (levels_in_parallel, is_shared) {
+            let order = match (is_last, is_shared) {
                 (true, _) => Order::SideBySide,
                 (false, true) => Order::FromFinest,
                 (false, false) => Order::FromCoarsest,
@@ -209,12 +208,14 @@ struct Next {
     format: FormatName,
     /// Whether another thread is at the case.
     is_shared: bool,
+    /// Whether fewer units are left than there are threads: its levels share them.
+    is_last: bool,
 }
 
 impl Todo {
     /// A thread stays with its case as long as there is something to do, goes on to one that nobody is at, and helps with
     /// others last: threads then seldom wait for what both want, and few cases are in memory.
-    fn next(&mut self, mine: Option<usize>) -> Option<Next> {
+    fn next(&mut self, mine: Option<usize>, threads: usize) -> Option<Next> {
         let at = |case: usize| self.threads_at.get(case).copied().unwrap_or(0);
         let cases = || self.units.iter().map(|(case, _)| *case);
         let place = cases()
@@ -225,13 +226,14 @@ impl Todo {
                 fewest.map(|(place, _)| place)
             })?;
         let (case, format) = self.units.remove(place)?;
-        let threads = self.threads_at.get_mut(case)?;
-        let is_shared = *threads > 0;
-        *threads += 1;
+        let at_it = self.threads_at.get_mut(case)?;
+        let is_shared = *at_it > 0;
+        *at_it += 1;
         Some(Next {
             case,
             format,
             is_shared,
+            is_last: self.units.len() < threads,
         })
     }
 
