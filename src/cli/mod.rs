@@ -17,6 +17,7 @@ mod identify;
 mod input;
 mod kernel;
 mod manufacture;
+pub(crate) mod memory;
 mod new;
 mod output;
 mod plan;
