@@ -43,10 +43,12 @@ impl<R: Clone> Column<R> {
         }
     }
 
-    fn push(&mut self, field: R, transfer: Transfer<R>) {
-        self.field.push(field);
-        self.emission.push(transfer.emission);
-        self.extinction.push(transfer.extinction);
+    /// One value more of each quantity, that at `index` of another column.
+    fn push_from(&mut self, other: &Column<R>, index: usize) {
+        let copy = |to: &mut Vec<R>, from: &[R]| to.extend(from.get(index).cloned());
+        copy(&mut self.field, &other.field);
+        copy(&mut self.emission, &other.emission);
+        copy(&mut self.extinction, &other.extinction);
     }
 }
 

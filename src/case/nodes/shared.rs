@@ -17,8 +17,10 @@ pub struct Shared<'c, C, F: Format> {
 }
 
 struct Cache<R> {
-    /// By position, a fraction in lowest terms.
-    values: HashMap<(u64, u64), (R, Transfer<R>)>,
+    /// As they were evaluated.
+    evaluated: Vec<Arc<Column<R>>>,
+    /// Where in them a position is, a fraction in lowest terms.
+    places: HashMap<(u64, u64), (usize, usize)>,
     /// By n and offset; boundaries have no offset.
     columns: HashMap<(u64, Option<Rational>), Arc<Column<R>>>,
 }
@@ -29,7 +31,8 @@ impl<'c, C: Case, F: Format> Shared<'c, C, F> {
         Shared {
             fresh: Fresh::new(case, format),
             cache: Mutex::new(Cache {
-                values: HashMap::default(),
+                evaluated: Vec::new(),
+                places: HashMap::default(),
                 columns: HashMap::default(),
             }),
         }
@@ -76,7 +79,7 @@ impl<'c, C: Case, F: Format> Shared<'c, C, F> {
 /// How much is kept: what it is would be pages.
 impl<R> Debug for Cache<R> {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let (values, columns) = (self.values.len(), self.columns.len());
+        let (values, columns) = (self.places.len(), self.columns.len());
         write!(f, "{values} values, {columns} columns")
     }
 }
@@ -88,20 +91,23 @@ impl<R: Clone> Cache<R> {
     /// The places of a grid; `evaluate` is asked for those that are not kept yet, all at once.
     fn gather(&mut self, grid: &Grid, count: u64, evaluate: &Evaluate<'_, R>) -> Arc<Column<R>> {
         let places = row((0..count).map(|j| in_lowest_terms(grid.place(j))));
-        let is_new = |place: &&(u64, u64)| !self.values.contains_key(*place);
+        let is_new = |place: &&(u64, u64)| !self.places.contains_key(*place);
         let new = row(places.iter().filter(is_new).copied());
-        let evaluated = evaluate(&new);
-        let transfers = evaluated.emission.into_iter().zip(evaluated.extinction);
-        let transfers = transfers.map(|(emission, extinction)| Transfer {
-            emission,
-            extinction,
-        });
-        let values = evaluated.field.into_iter().zip(transfers);
-        self.values.extend(new.into_iter().zip(values));
+        if !new.is_empty() {
+            let column = Arc::new(evaluate(&new));
+            let indices = (0..).map(|index| (self.evaluated.len(), index));
+            self.places.extend(new.iter().copied().zip(indices));
+            self.evaluated.push(Arc::clone(&column));
+            if new.len() == places.len() {
+                return column;
+            }
+        }
         let mut column = Column::with_capacity(count);
         for place in &places {
-            if let Some((field, transfer)) = self.values.get(place) {
-                column.push(field.clone(), transfer.clone());
+            if let Some((from, index)) = self.places.get(place)
+                && let Some(from) = self.evaluated.get(*from)
+            {
+                column.push_from(from, *index);
             }
         }
         Arc::new(column)
