@@ -233,7 +233,7 @@ impl Todo {
             case,
             format,
             is_shared,
-            is_last: self.units.len() < threads,
+            is_last: threads > 1 && self.units.len() < threads,
         })
     }
 
