@@ -51,6 +51,14 @@ impl Exponential {
         sum
     }
 
+    /// Makes `into` E(−x): in MPFR without a number's memory for it.
+    pub(crate) fn set_of_negative<R: Real>(self, into: &mut R, x: &R) {
+        match self {
+            Exponential::Exact => into.set_exp_of_negative(x),
+            _ => *into = self.of_negative(x),
+        }
+    }
+
     /// E(−x) of each.
     pub(crate) fn of_negatives<R: Real>(self, depths: &[R]) -> Vec<R> {
         row(depths.iter().map(|depth| self.of_negative(depth)))

@@ -59,7 +59,7 @@ fn march<N: Nodes>(
             let start = exponential.of_negative(&depth);
             accumulate(nodes, n, weights, start, |front, back, transmittance| {
                 depth += &segment(front, back);
-                *transmittance = exponential.of_negative(&depth);
+                exponential.set_of_negative(transmittance, &depth);
             })
         }
         Scope::PerSegment => {

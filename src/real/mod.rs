@@ -124,6 +124,10 @@ pub trait Real:
     /// eˣ.
     #[must_use]
     fn exp(self) -> Self;
+    /// Makes this number e^(−x), rounded as [`exp`](Real::exp) rounds.
+    fn set_exp_of_negative(&mut self, x: &Self) {
+        *self = (-x.clone()).exp();
+    }
     /// eˣ − 1, without cancellation at small x.
     #[must_use]
     fn exp_m1(self) -> Self;

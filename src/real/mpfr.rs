@@ -134,6 +134,10 @@ impl Real for MpfrReal {
     fn exp(self) -> Self {
         MpfrReal(self.0.exp())
     }
+    fn set_exp_of_negative(&mut self, x: &Self) {
+        rug::Assign::assign(&mut self.0, -&x.0);
+        self.0.exp_mut();
+    }
     fn exp_m1(self) -> Self {
         MpfrReal(self.0.exp_m1())
     }
@@ -144,7 +148,8 @@ impl Real for MpfrReal {
         MpfrReal(self.0.ln_1p())
     }
     fn sin_cos(self) -> (Self, Self) {
-        let (sin, cos) = self.0.clone().sin_cos(self.0);
+        let cos = Float::new(self.0.prec());
+        let (sin, cos) = self.0.sin_cos(cos);
         (MpfrReal(sin), MpfrReal(cos))
     }
     fn tan(self) -> Self {
