@@ -50,8 +50,14 @@ kernels: setup
 page: setup
 	tests/page/check
 
-bench: setup
-	cargo bench --locked -p volver-benches
+bench: setup target/peers
+	VOLVER_PYTHON=$(CURDIR)/target/peers/bin/python cargo bench --locked -p volver-benches
+
+# What people would use instead, which benches run beside the library.
+target/peers: benches/peers/requirements.txt
+	python3 -m venv $@
+	$@/bin/pip install --quiet -r $<
+	touch $@
 
 # GMP's build needs m4, which fresh machines lack.
 SUDO := $(shell [ "$$(id -u)" -eq 0 ] || echo sudo)

@@ -66,6 +66,13 @@ fn inner(method: &Method) -> Option<String> {
     }
 }
 
+/// Nodes and depths that the methods take of a segment together.
+pub(super) fn looks(methods: &[Method]) -> f64 {
+    let depths: BTreeSet<String> = methods.iter().filter_map(inner).collect();
+    let others = methods.iter().filter(|method| inner(method).is_none());
+    (rows(methods) + depths.len() + others.count()) as f64
+}
+
 /// Rows of nodes that the methods look at, a node a segment each: rules share their rows, and an open outer rule brings rows of
 /// every inner one.
 fn rows(methods: &[Method]) -> usize {
