@@ -30,6 +30,7 @@ use stretch::{Ray, Stretch};
 
 pub use rectangle::Rectangle;
 pub use run::range;
+pub use substitution::substituted;
 pub use transform::Points;
 
 /// Bits beyond the tolerance that numbers have.

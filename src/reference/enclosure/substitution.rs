@@ -7,7 +7,8 @@
 use super::branches::Branches;
 use super::germ::{Germ, power};
 use super::number::{Number, Plane};
-use super::run::{Run, run};
+use super::rectangle::Rectangle;
+use super::run::{Run, constants, run};
 use crate::symbolic::{Constant, Interval, Operand, Program};
 use rug::{Float, Rational};
 
@@ -219,6 +220,28 @@ impl Substitution {
         };
         POWERS.into_iter().find(does).unwrap_or(1)
     }
+}
+
+/// τ dλ/du and C τ dλ/du of a program without branches on a rectangle of u, for λ = `end` ± `width` vᵖ.
+#[must_use]
+pub fn substituted(
+    program: &Program,
+    [end, width]: [&Rational; 2],
+    power: u32,
+    is_far: bool,
+    u: &Rectangle,
+) -> Option<[Rectangle; 2]> {
+    let bits = u.re.bits();
+    let substitution = Substitution {
+        end: End::rational(bits, end),
+        width: Interval::point(bits, width),
+        power,
+        is_far,
+    };
+    let branches = Branches(vec![None; program.instructions().len()]);
+    let constants = constants(program, bits);
+    let found = substitution.values(program, &constants, &branches, u)?;
+    Some([found.extinction, found.source])
 }
 
 /// The constants of a program, known exactly where they are rational.

@@ -3,13 +3,17 @@
 
 use super::{bits, distance};
 use quickcheck::{Arbitrary, Gen, QuickCheck};
+use rand_core::{Rng, SeedableRng};
+use rand_pcg::Pcg64;
 use rug::ops::Pow;
 use rug::{Float, Rational};
 use volver::case::{Case, Formulas, Structure, SymbolicCase, Transfer};
+use volver::inside::reference::{Rectangle, range, substituted};
 use volver::real::Real;
 use volver::reference::{
     NotEnclosed, ReferenceError, enclosed_radiance, estimated_radiance, optical_depth, radiance,
 };
+use volver::symbolic::{Interval, Program};
 
 /// A medium on [0, D] of whose structure nothing is told.
 fn plain(length: &Rational, extinction: &str, emission: &str) -> SymbolicCase {
@@ -279,4 +283,125 @@ fn a_hundred_kinks_are_found_and_a_million_are_refused() {
             reason: NotEnclosed::TooManyBranches
         }
     );
+}
+
+#[test]
+fn rectangles_around_a_root_have_what_a_formula_without_it_has_there() {
+    let mut random = Pcg64::seed_from_u64(7);
+    let mut between = |low: f64, high: f64| {
+        let part = (random.next_u64() >> 11) as f64 / (1_u64 << 53) as f64;
+        Float::with_val(64, low + part * (high - low))
+    };
+    let hull = |a: &Float, b: &Float| Interval::exactly(a).union(&Interval::exactly(b));
+    let program = |formulas: [&str; 2], input: &str| {
+        let formulas = formulas.map(|formula| formula.parse().unwrap());
+        Program::new(&formulas, &[input]).unwrap()
+    };
+    // C and tau of lambda, the end, the width, the power, and both integrands of u.
+    for (medium, end, width, power, is_far, integrands) in [
+        (
+            ["exp(-s)", "sqrt(s)"],
+            0,
+            1,
+            2,
+            false,
+            ["2*u^2", "2*u^2*exp(-u^2)"],
+        ),
+        (
+            ["1 + s", "sqrt(1 - s)"],
+            1,
+            1,
+            2,
+            true,
+            ["2*u^2", "2*u^2*(2 - u^2)"],
+        ),
+        (
+            ["cos(s)", "s^(1/3)"],
+            0,
+            8,
+            3,
+            false,
+            ["48*u^3", "48*u^3*cos(8*u^3)"],
+        ),
+        (
+            ["1/(1 + s)", "sqrt(s + s^2)"],
+            0,
+            1,
+            2,
+            false,
+            ["2*u^2*sqrt(1 + u^2)", "2*u^2/sqrt(1 + u^2)"],
+        ),
+        (["sqrt(s)", "1/sqrt(s)"], 0, 1, 2, false, ["2", "2*u"]),
+        (
+            ["sqrt(1 + sqrt(s))", "ln(1 + sqrt(s))"],
+            0,
+            1,
+            2,
+            false,
+            ["2*u*ln(1 + u)", "2*u*ln(1 + u)*sqrt(1 + u)"],
+        ),
+        (
+            ["sinh(s)", "sin(3 - s)^2*sqrt(3 - s)"],
+            3,
+            1,
+            2,
+            true,
+            ["2*u^2*sin(u^2)^2", "2*u^2*sin(u^2)^2*sinh(3 - u^2)"],
+        ),
+        (
+            ["tanh(s - 1)", "(2 - s)^(1/4)"],
+            2,
+            1,
+            4,
+            true,
+            ["4*u^4", "4*u^4*tanh(1 - u^4)"],
+        ),
+    ] {
+        let substitute = program(medium, "s");
+        let without = program(integrands, "u");
+        let (end, width) = (Rational::from(end), Rational::from(width));
+        let (mut known, mut left) = (0, 0);
+        for _ in 0..200 {
+            let (x, y) = (between(-0.3, 0.9), between(0.0, 0.3));
+            let wide = Float::with_val(64, &x + between(0.0, 0.4));
+            let [from, to] = if is_far {
+                [Float::with_val(64, -&wide), Float::with_val(64, -&x)]
+            } else {
+                [x, wide]
+            };
+            let zero = Float::new(64);
+            let u = Rectangle {
+                re: hull(&from, &to),
+                im: hull(&zero, &y),
+            };
+            let Some(found) = substituted(&substitute, [&end, &width], power, is_far, &u) else {
+                continue;
+            };
+            known += 1;
+            let is_beyond = if is_far { to > 0 } else { from < 0 };
+            left += u32::from(is_beyond);
+            for _ in 0..8 {
+                let part = |low: &Float, high: &Float, part: &Float| {
+                    let way = Float::with_val(64, high - low) * part;
+                    Float::with_val(64, low + way)
+                };
+                let re = part(&from, &to, &between(0.0, 1.0));
+                let im = part(&zero, &y, &between(0.0, 1.0));
+                let here = Rectangle {
+                    re: hull(&re, &re),
+                    im: hull(&im, &im),
+                };
+                for (found, exact) in found.iter().zip(range(&without, &here)) {
+                    let exact = exact.unwrap();
+                    for (found, exact) in [(&found.re, &exact.re), (&found.im, &exact.im)] {
+                        assert!(
+                            found.intersection(exact).is_some(),
+                            "{medium:?} at {re} + i {im}"
+                        );
+                    }
+                }
+            }
+        }
+        assert!(known > 100 && left > 30, "{medium:?}: {known}, {left}");
+    }
 }
