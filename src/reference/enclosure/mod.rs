@@ -4,7 +4,8 @@
 //! what they leave out is bounded by the medium's values on an ellipse around the panel in the complex plane, enclosed
 //! in rectangles, so that nothing can hide between the points. All else is interval arithmetic in MPFR, rounded
 //! outwards. Panels are halved until the bounds are small; where the medium takes another way (a kink, a jump) the
-//! ray is cut, and what is too short to tell is enclosed by its range.
+//! ray is cut, and what is too short to tell is enclosed by its range. At an end where the medium is a series of roots it
+//! is integrated in a variable in which it is analytic there: λ = a ± w vᵖ.
 
 mod branches;
 mod crossing;

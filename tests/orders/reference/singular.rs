@@ -139,6 +139,7 @@ impl Kinked {
 
 #[test]
 fn placed_kinks_and_roots_are_found_and_cost_a_panel_or_three() {
+    #[allow(clippy::needless_pass_by_value)] // As quickcheck has it.
     fn holds(kinked: Kinked) -> bool {
         let (case, exact) = (kinked.case(), kinked.radiance());
         let found = enclosed_radiance(&case, bits(40)).unwrap();
@@ -159,6 +160,7 @@ fn placed_kinks_and_roots_are_found_and_cost_a_panel_or_three() {
 #[test]
 fn few_bits_of_roots_are_as_certain_as_many() {
     // What series leave out is all of the error here, and none of it is rounding.
+    #[allow(clippy::needless_pass_by_value)] // As quickcheck has it.
     fn holds(kinked: Kinked) -> bool {
         let (case, exact) = (kinked.case(), kinked.radiance());
         [12, 20, 31, 48].into_iter().all(|bits| {
@@ -285,6 +287,69 @@ fn a_hundred_kinks_are_found_and_a_million_are_refused() {
     );
 }
 
+/// C and τ of λ, the end, the width, the power, whether the end is the far one, and both integrands as formulas of u.
+type Row = ([&'static str; 2], u32, u32, u32, bool, [&'static str; 2]);
+
+const SUBSTITUTED: [Row; 8] = [
+    (
+        ["exp(-s)", "sqrt(s)"],
+        0,
+        1,
+        2,
+        false,
+        ["2*u^2", "2*u^2*exp(-u^2)"],
+    ),
+    (
+        ["1 + s", "sqrt(1 - s)"],
+        1,
+        1,
+        2,
+        true,
+        ["2*u^2", "2*u^2*(2 - u^2)"],
+    ),
+    (
+        ["cos(s)", "s^(1/3)"],
+        0,
+        8,
+        3,
+        false,
+        ["48*u^3", "48*u^3*cos(8*u^3)"],
+    ),
+    (
+        ["1/(1 + s)", "sqrt(s + s^2)"],
+        0,
+        1,
+        2,
+        false,
+        ["2*u^2*sqrt(1 + u^2)", "2*u^2/sqrt(1 + u^2)"],
+    ),
+    (["sqrt(s)", "1/sqrt(s)"], 0, 1, 2, false, ["2", "2*u"]),
+    (
+        ["sqrt(1 + sqrt(s))", "ln(1 + sqrt(s))"],
+        0,
+        1,
+        2,
+        false,
+        ["2*u*ln(1 + u)", "2*u*ln(1 + u)*sqrt(1 + u)"],
+    ),
+    (
+        ["sinh(s)", "sin(3 - s)^2*sqrt(3 - s)"],
+        3,
+        1,
+        2,
+        true,
+        ["2*u^2*sin(u^2)^2", "2*u^2*sin(u^2)^2*sinh(3 - u^2)"],
+    ),
+    (
+        ["tanh(s - 1)", "(2 - s)^(1/4)"],
+        2,
+        1,
+        4,
+        true,
+        ["4*u^4", "4*u^4*tanh(1 - u^4)"],
+    ),
+];
+
 #[test]
 fn rectangles_around_a_root_have_what_a_formula_without_it_has_there() {
     let mut random = Pcg64::seed_from_u64(7);
@@ -297,66 +362,7 @@ fn rectangles_around_a_root_have_what_a_formula_without_it_has_there() {
         let formulas = formulas.map(|formula| formula.parse().unwrap());
         Program::new(&formulas, &[input]).unwrap()
     };
-    // C and tau of lambda, the end, the width, the power, and both integrands of u.
-    for (medium, end, width, power, is_far, integrands) in [
-        (
-            ["exp(-s)", "sqrt(s)"],
-            0,
-            1,
-            2,
-            false,
-            ["2*u^2", "2*u^2*exp(-u^2)"],
-        ),
-        (
-            ["1 + s", "sqrt(1 - s)"],
-            1,
-            1,
-            2,
-            true,
-            ["2*u^2", "2*u^2*(2 - u^2)"],
-        ),
-        (
-            ["cos(s)", "s^(1/3)"],
-            0,
-            8,
-            3,
-            false,
-            ["48*u^3", "48*u^3*cos(8*u^3)"],
-        ),
-        (
-            ["1/(1 + s)", "sqrt(s + s^2)"],
-            0,
-            1,
-            2,
-            false,
-            ["2*u^2*sqrt(1 + u^2)", "2*u^2/sqrt(1 + u^2)"],
-        ),
-        (["sqrt(s)", "1/sqrt(s)"], 0, 1, 2, false, ["2", "2*u"]),
-        (
-            ["sqrt(1 + sqrt(s))", "ln(1 + sqrt(s))"],
-            0,
-            1,
-            2,
-            false,
-            ["2*u*ln(1 + u)", "2*u*ln(1 + u)*sqrt(1 + u)"],
-        ),
-        (
-            ["sinh(s)", "sin(3 - s)^2*sqrt(3 - s)"],
-            3,
-            1,
-            2,
-            true,
-            ["2*u^2*sin(u^2)^2", "2*u^2*sin(u^2)^2*sinh(3 - u^2)"],
-        ),
-        (
-            ["tanh(s - 1)", "(2 - s)^(1/4)"],
-            2,
-            1,
-            4,
-            true,
-            ["4*u^4", "4*u^4*tanh(1 - u^4)"],
-        ),
-    ] {
+    for (medium, end, width, power, is_far, integrands) in SUBSTITUTED {
         let substitute = program(medium, "s");
         let without = program(integrands, "u");
         let (end, width) = (Rational::from(end), Rational::from(width));
