@@ -5,7 +5,7 @@ usage: reference.py VOLVER[,BEFORE] [ROUNDS] [PYTHON]
 
 VOLVER is the program; PYTHON has python-flint. Processes run in turn, ROUNDS times [15], what takes more than a second in every
 third round; times are user and system together, medians and quartiles, less the median of what is no integration: the same medium
-to one digit (of a hundred kinks `volver manufacture`), the import of the library. BEFORE is run where singularities are.
+to one digit, the import of the library; where singularities are `volver --version`, and there BEFORE is run too.
 """
 import json
 import os
@@ -93,9 +93,9 @@ for number, formulas in enumerate([*SINGULAR, KINKS]):
     for way in ("estimate", "enclosure"):
         for program in programs:
             label = f"{program} {formulas[0]}, {formulas[1]}, {way}, 50"
-            commands[f"{label} start"] = [program, "manufacture", path] if formulas == KINKS else reference(program, path, 1, "estimate")
+            commands[f"{program} start"] = [program, "--version"]
             first = f"{programs[-1]} {formulas[0]}, {formulas[1]}, {way}, 50"
-            row(label, reference(program, path, 50, way), f"{label} start", [first] if program != programs[-1] else [])
+            row(label, reference(program, path, 50, way), f"{program} start", [first] if program != programs[-1] else [])
 times = {label: [] for label in commands}
 refused = set()
 for turn in range(rounds):

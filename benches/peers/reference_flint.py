@@ -13,9 +13,12 @@ from flint import acb, arb, arb_series, ctx
 kind, digits = sys.argv[1], int(sys.argv[2])
 
 
+def tau(s):
+    return 2 + (10 * s * s).sin()
+
+
 def medium(s):
-    q = s * s
-    return (-q).exp(), 2 + (10 * q).sin()
+    return (-s * s).exp(), tau(s)
 
 
 def nested():
@@ -25,8 +28,8 @@ def nested():
     def depth(x):
         # A wide ball is only asked for a bound: the range is enough.
         if x.rel_accuracy_bits() < ctx.prec // 2:
-            return x * medium(x * acb(arb(0.5, 0.5)))[1]
-        return acb.integral(lambda u, _: x * medium(x * u)[1], 0, 1, rel_tol=fine, abs_tol=fine)
+            return x * tau(x * acb(arb(0.5, 0.5)))
+        return acb.integral(lambda u, _: x * tau(x * u), 0, 1, rel_tol=fine, abs_tol=fine)
 
     def light(x, _):
         emission, extinction = medium(x)

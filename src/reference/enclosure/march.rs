@@ -380,7 +380,8 @@ impl<'m> March<'m> {
 /// The λ of a panel's near end, to the nearest binary64.
 fn near(panel: &Stretch) -> f64 {
     let [from, _] = panel.ends();
-    from.midpoint().to_f64()
+    // 0, too, where it was rounded down to −0.
+    from.midpoint().to_f64() + 0.0
 }
 
 /// log₂ e times x.
