@@ -41,7 +41,7 @@ pub mod method {
 pub mod reference {
     pub use crate::reference::chebyshev::transform::cosine_transform;
     pub use crate::reference::chebyshev::{Circle, Series};
-    pub use crate::reference::enclosure::{Points, Rectangle, range};
+    pub use crate::reference::enclosure::{Points, Rectangle, range, substituted};
 }
 
 /// Inside [`study`](crate::study).

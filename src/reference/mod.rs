@@ -166,12 +166,12 @@ pub fn enclosed_radiance<C: Case>(case: &C, bits: u32) -> Result<Reference, Refe
     found.map_err(|reason| ReferenceError::NotEnclosed { reason })
 }
 
-/// I(D) to `bits` significant bits by an estimate, from C and τ at points alone.
+/// I(D) to `bits` significant bits by an estimate, from C and τ at points alone; formulas tell where to cut.
 ///
 /// Clenshaw–Curtis points, panel by panel between the breaks of the case, with the integrals of Chebyshev
 /// series; analytic media cost some digits to the power of 1 evaluations, and a place where they are not
-/// analytic that nobody told of as many panels as there are bits. What is narrower than the distance of points
-/// can be missed.
+/// analytic that neither formulas nor the structure tell of as many panels as there are bits. What is narrower
+/// than the distance of points can be missed.
 ///
 /// # Errors
 /// [`ReferenceError`] where the digits cannot be had.

@@ -45,6 +45,7 @@ pub use enclose::{EncloseError, enclose_range};
 pub use interval::{Interval, Undefined};
 pub use pieces::{Joint, Piece, PiecesError, Place, joints, pieces};
 pub use refute::{Witness, refute_zero};
+pub(crate) use simplest::simplest_between;
 
 pub mod code;
 #[cfg(feature = "studies")]

@@ -5,7 +5,7 @@ use rug::{Integer, Rational};
 /// The rational number of the least denominator in [from, to], and of these the nearest to 0.
 ///
 /// Descends along the continued fraction that both bounds share.
-pub(super) fn simplest_between(from: &Rational, to: &Rational) -> Rational {
+pub(crate) fn simplest_between(from: &Rational, to: &Rational) -> Rational {
     if *from > *to {
         return simplest_between(to, from);
     }

@@ -3,6 +3,7 @@
 mod attack;
 mod chebyshev;
 mod enclosure;
+mod singular;
 
 use rayon::prelude::*;
 use rug::Float;
@@ -152,7 +153,7 @@ fn every_point_is_sampled_once_and_every_exponential_taken_once() {
 }
 
 #[test]
-fn what_nobody_told_of_is_closed_in_on() {
+fn what_nobody_told_of_is_found_in_the_formulas() {
     // A root at the far end, a corner and a jump that the structure does not know.
     let plain = |extinction: &str, emission: &str, length: &str| {
         let text = |t: &str| t.parse().unwrap();
@@ -185,7 +186,7 @@ fn what_nobody_told_of_is_closed_in_on() {
         let error = distance(&found.value, &one_minus_exp(depth));
         assert!(error <= found.error, "{error} {}", found.error);
         assert!(found.digits().unwrap() >= 30);
-        assert!(found.work.panels > 20, "{:?}", found.work);
+        assert!(found.work.panels <= 2, "{:?}", found.work);
     }
 }
 

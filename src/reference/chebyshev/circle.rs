@@ -1,4 +1,4 @@
-//! cos(πk/n) for all n that are powers of 2, without a transcendental function.
+//! cos(πk/n) for all n that are powers of 2, without a transcendental function, and what cosine transforms divide by.
 
 use rug::Float;
 use rug::ops::NegAssign;
@@ -10,6 +10,8 @@ pub struct Circle {
     cosines: Vec<Float>,
     /// cos(π/n).
     first: Float,
+    /// 1/(2 cos(πk/n)), 0 ≤ k < n/2.
+    half_secants: Vec<Float>,
 }
 
 impl Circle {
@@ -21,6 +23,7 @@ impl Circle {
             bits,
             cosines: vec![at(1), at(0), at(-1)],
             first: at(0),
+            half_secants: vec![at(1) / 2_u32],
         }
     }
 
@@ -46,6 +49,16 @@ impl Circle {
             }
             finer.extend(self.cosines.last().cloned());
             self.cosines = finer;
+            let known = std::mem::take(&mut self.half_secants);
+            let quarter = self.degree() / 2;
+            let mut odd = self.cosines.iter().take(quarter).skip(1).step_by(2);
+            for known in known {
+                self.half_secants.push(known);
+                let new = odd
+                    .next()
+                    .map(|cosine| Float::with_val(self.bits, cosine << 1_u32).recip());
+                self.half_secants.extend(new);
+            }
         }
     }
 
@@ -64,6 +77,11 @@ impl Circle {
     pub fn sine(&self, k: usize, n: usize) -> &Float {
         let quarter = self.degree() / 2;
         &self.cosines[(k * (self.degree() / n)).abs_diff(quarter)]
+    }
+
+    /// 1/(2 cos(πk/n)) for 0 ≤ k < n/2, where the table serves n.
+    pub(super) fn half_secant(&self, k: usize, n: usize) -> &Float {
+        &self.half_secants[k * (self.degree() / n)]
     }
 
     /// (1 − cos(πk/n))/2: the points of [0, 1], from the left.

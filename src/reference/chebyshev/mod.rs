@@ -6,7 +6,6 @@
 //! Source: Clenshaw and Curtis (1960), "A method for numerical integration on an automatic computer".
 
 mod circle;
-mod fourier;
 mod series;
 pub(crate) mod transform;
 

@@ -1,7 +1,7 @@
 //! Chebyshev series on an interval, from its left end at ξ = 1 to its right end at ξ = −1.
 
 use super::Circle;
-use super::transform::cosine_transform;
+use super::transform::{cosine_transform, transform_between, transform_in_place};
 use rug::Float;
 use std::ops::RangeInclusive;
 
@@ -34,7 +34,20 @@ impl Series {
         for end in [0, n] {
             padded[end] <<= 1_u32;
         }
-        cosine_transform(&padded, circle)
+        transform_in_place(&mut padded, circle);
+        padded
+    }
+
+    /// The values at every other one of the points of degree n, those that degree n/2 does not have, n/2 no less than its
+    /// own; the circle serves n.
+    #[must_use]
+    pub fn values_between(&self, n: usize, circle: &Circle) -> Vec<Float> {
+        // What is of degree n/2 is 0 there.
+        let mut padded: Vec<Float> = self.0.iter().take(n / 2).cloned().collect();
+        padded.resize(n / 2, Float::new(circle.bits()));
+        padded[0] <<= 1_u32;
+        transform_between(&mut padded, circle);
+        padded
     }
 
     /// ∫ f from the left end of an interval of that width, 0 there.

@@ -3,6 +3,7 @@
 use super::number::Number;
 use super::run::{Registers, Run};
 use crate::symbolic::{Function, Interval, Operand, Operation, Program, Relation};
+use std::collections::BTreeMap;
 
 /// For every instruction the way it takes: whether |x| is x, a minimum or maximum its first, a choice its `then`.
 /// `None` where there is nothing to choose, or where what is chosen is not needed.
@@ -14,18 +15,49 @@ pub(super) enum Taken {
     /// One way almost everywhere, which makes all that is needed analytic within, wherever it is defined.
     Known(Branches),
     /// More than one, or it cannot be told.
-    Open,
+    Open {
+        /// What is known of the way.
+        taken: Branches,
+        /// The first instruction that is needed and of which it is not known.
+        place: usize,
+    },
+}
+
+/// What an operation that chooses compares: a left side, a right one or 0, and how.
+pub(super) fn sides(operation: Operation) -> Option<(Operand, Option<Operand>, Relation)> {
+    match operation {
+        Operation::Call(Function::Abs, a) => Some((a, None, Relation::GreaterEqual)),
+        Operation::Min(a, b) => Some((a, Some(b), Relation::LessEqual)),
+        Operation::Max(a, b) => Some((a, Some(b), Relation::GreaterEqual)),
+        Operation::Select {
+            relation,
+            left,
+            right,
+            ..
+        } => Some((left, Some(right), relation)),
+        _ => None,
+    }
+}
+
+/// Whether a relation holds of two sides that differ.
+pub(super) fn holds(relation: Relation, is_less: bool) -> bool {
+    match relation {
+        Relation::Less | Relation::LessEqual => is_less,
+        Relation::Greater | Relation::GreaterEqual => !is_less,
+    }
 }
 
 /// Decides all choices that the outputs need on a panel, from its values there and at one place within.
 ///
 /// Where the two sides of a comparison touch but never cross, it is decided by the place within: both sides are
 /// analytic, and where they differ somewhere they are equal in single places only, which an integral does not see.
+/// What is known in another way stands in `known`.
 pub(super) fn branches(
     program: &Program,
     constants: &[Interval],
     panel: &Interval,
     within: &Interval,
+    known: &BTreeMap<usize, bool>,
 ) -> Taken {
     let count = program.instructions().len();
     let mut taken = Branches(vec![None; count]);
@@ -33,19 +65,7 @@ pub(super) fn branches(
     let mut somewhere = Run::new(program, constants, within);
     let mut is_analytic = true;
     for (place, instruction) in program.instructions().iter().enumerate() {
-        let sides = match instruction.operation {
-            Operation::Call(Function::Abs, a) => Some((a, None, Relation::GreaterEqual)),
-            Operation::Min(a, b) => Some((a, Some(b), Relation::LessEqual)),
-            Operation::Max(a, b) => Some((a, Some(b), Relation::GreaterEqual)),
-            Operation::Select {
-                relation,
-                left,
-                right,
-                ..
-            } => Some((left, Some(right), relation)),
-            _ => None,
-        };
-        if let Some((left, right, relation)) = sides {
+        if let Some((left, right, relation)) = sides(instruction.operation) {
             let zero = Interval::constant(panel.bits(), &rug::Rational::new());
             let both = |run: &Run<'_, Interval>| {
                 let right = right.map_or(Some(zero.clone()), |right| run.value(right));
@@ -53,6 +73,9 @@ pub(super) fn branches(
             };
             if let (Some(all), Some(one)) = (both(&everywhere), both(&somewhere)) {
                 taken.0[place] = decided(relation, &all, &one, is_analytic);
+            }
+            if let Some(&way) = known.get(&place) {
+                taken.0[place] = Some(way);
             }
         }
         is_analytic &= !reaches_a_branch_point(&everywhere, instruction.operation);
@@ -98,14 +121,12 @@ fn decided(
     } else {
         return None;
     };
-    Some(match relation {
-        Relation::Less | Relation::LessEqual => less,
-        Relation::Greater | Relation::GreaterEqual => !less,
-    })
+    Some(holds(relation, less))
 }
 
 /// Only what the outputs need, `Open` where that is not decided.
 fn needed(program: &Program, mut taken: Branches) -> Taken {
+    let mut undecided: Option<usize> = None;
     let instructions = program.instructions();
     let mut makers: Registers<usize> = Registers::default();
     for (place, instruction) in instructions.iter().enumerate() {
@@ -138,15 +159,17 @@ fn needed(program: &Program, mut taken: Branches) -> Taken {
                 },
                 Some(holds),
             ) => open.push(if holds { then } else { otherwise }),
-            (
-                Operation::Call(Function::Abs, _)
-                | Operation::Min(..)
-                | Operation::Max(..)
-                | Operation::Select { .. },
-                None,
-            ) => return Taken::Open,
-            (operation, _) => open.extend(operation.operands()),
+            (operation, _) => match sides(operation) {
+                Some((left, right, _)) => {
+                    undecided = Some(undecided.map_or(place, |first| first.min(place)));
+                    open.extend([Some(left), right].into_iter().flatten());
+                }
+                None => open.extend(operation.operands()),
+            },
         }
+    }
+    if let Some(place) = undecided {
+        return Taken::Open { taken, place };
     }
     for (way, seen) in taken.0.iter_mut().zip(seen) {
         if !seen {

@@ -7,7 +7,9 @@
 use super::branches::Branches;
 use super::number::Number;
 use super::rectangle::Rectangle;
-use super::run::{constants, run};
+use super::run::constants;
+use super::stretch::Stretch;
+use super::substitution::plain;
 use crate::symbolic::{Interval, Program};
 use rug::Float;
 use rug::float::Round;
@@ -46,24 +48,23 @@ impl<'p> Bounds<'p> {
     }
 
     /// Bits that are enough to tell the places of a panel apart.
-    pub(super) fn bits_for(from: &Float, to: &Float) -> u32 {
+    pub(super) fn bits_for(panel: &Stretch) -> u32 {
         let exponent = |x: &Float| x.get_exp().unwrap_or(i32::MIN / 4);
-        let width = Float::with_val(32, to - from);
-        let apart = exponent(to).saturating_sub(exponent(&width)).max(0);
-        BITS.saturating_add(apart.unsigned_abs())
+        let (from, to) = (&panel.from, &panel.to);
+        let width = exponent(&Float::with_val(32, to - from));
+        let farthest = exponent(from).max(exponent(to));
+        let apart = farthest.saturating_sub(width).max(0).unsigned_abs();
+        // Near the end that is substituted λ changes as the power of u.
+        let power = panel.substitution.as_ref().map_or(0, |s| s.power);
+        let apart = apart.saturating_add(power.saturating_mul(farthest.min(0).unsigned_abs()));
+        BITS.saturating_add(apart)
     }
 
     /// The bounds on the ellipse of ρ, `None` where the medium may not be analytic within.
-    pub(super) fn on(
-        &self,
-        from: &Float,
-        to: &Float,
-        rho: f64,
-        branches: &Branches,
-    ) -> Option<Bound> {
+    pub(super) fn on(&self, panel: &Stretch, rho: f64, branches: &Branches) -> Option<Bound> {
         let bits = self.bits;
         let number = |x: f64| Interval::exactly(&Float::with_val(bits, x));
-        let (from, to) = (Interval::exactly(from), Interval::exactly(to));
+        let (from, to) = (Interval::exactly(&panel.from), Interval::exactly(&panel.to));
         let half = number(0.5);
         let middle = &(&from + &to).to_bits(bits) * &half;
         let reach = &(&to - &from).to_bits(bits) * &half;
@@ -92,9 +93,13 @@ impl<'p> Bounds<'p> {
                 re: from.union(&to),
                 im: number(0.0).union(&height),
             };
-            let mut values = run(self.program, &self.constants, &box_of, branches).into_iter();
-            let emission = values.next()??;
-            let tau = values.next()??;
+            let (program, constants) = (self.program, &self.constants);
+            let values = match &panel.substitution {
+                Some(substitution) => substitution.values(program, constants, branches, &box_of),
+                None => plain(program, constants, branches, &box_of),
+            };
+            let values = values?;
+            let tau = values.extinction;
             let magnitude = tau.magnitude();
             if magnitude > extinction {
                 extinction.clone_from(&magnitude);
@@ -105,7 +110,7 @@ impl<'p> Bounds<'p> {
             let up = &height * &rise;
             let along = &width * &tau.re.min(&number(0.0));
             let least = &(&depth + &along) - &up;
-            strips.push((least, emission.magnitude(), magnitude));
+            strips.push((least, values.source.magnitude()));
             depth = &depth + &(&width * &tau.re);
             if from.lower() < left.upper() {
                 let beyond = (&left.min(&to) - &from).max(&number(0.0));
@@ -113,10 +118,9 @@ impl<'p> Bounds<'p> {
             }
         }
         let mut light = Float::new(bits);
-        for (least, emission, tau) in strips {
+        for (least, source) in strips {
             let transmittance = (&before - &least).exp();
-            let product = Float::with_val_round(bits, &emission * &tau, Round::Up).0;
-            let product = Float::with_val_round(bits, product * transmittance.upper(), Round::Up).0;
+            let product = Float::with_val_round(bits, source * transmittance.upper(), Round::Up).0;
             if product.is_nan() {
                 return None;
             }

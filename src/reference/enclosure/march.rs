@@ -6,6 +6,7 @@ use super::ellipse::{Bound, Bounds};
 use super::number::exp;
 use super::run::{constants, hull, run};
 use super::stretch::Stretch;
+use super::substitution::plain;
 use super::transform::Points;
 use super::{Medium, NotEnclosed, Work};
 use crate::symbolic::{Interval, Program};
@@ -88,7 +89,10 @@ impl<'m> March<'m> {
     /// Integrates over all stretches, front to back.
     pub(super) fn run(&mut self, stretches: &[Stretch]) -> Result<(), NotEnclosed> {
         let mut rest: Vec<Stretch> = stretches.iter().rev().cloned().collect();
-        let end = stretches.last().map(|last| last.to.clone());
+        let end = stretches.last().map(|last| {
+            let [_, to] = last.ends();
+            to.midpoint()
+        });
         let end = end.unwrap_or_else(|| Float::new(64));
         while let Some(panel) = rest.pop() {
             if self.is_dark(&panel, &rest) {
@@ -98,7 +102,7 @@ impl<'m> March<'m> {
             let is_too_much = self.tried > MAX_TRIED || self.work.points > MAX_POINTS;
             if is_too_much || self.slow > MAX_SLOW {
                 return Err(NotEnclosed::TooMuchWork {
-                    lambda: panel.from.to_f64(),
+                    lambda: near(&panel),
                 });
             }
             let Some(parts) = self.integrate(&panel)? else {
@@ -110,7 +114,7 @@ impl<'m> March<'m> {
                 self.work.panels += 1;
                 continue;
             }
-            let lambda = panel.from.to_f64();
+            let lambda = near(&panel);
             let width = Float::with_val(64, &panel.to - &panel.from);
             let is_point = log2_abs(&width) < self.settings.shortest;
             let pieces = panel.cut(parts);
@@ -124,8 +128,11 @@ impl<'m> March<'m> {
 
     /// Counts panels in a row of which the rest of the ray would take too many.
     fn look_ahead(&mut self, panel: &Stretch, end: &Float) {
-        let width = Float::with_val(64, &panel.to - &panel.from);
-        let rest = Float::with_val(64, end - &panel.to) / width;
+        let [from, to] = panel
+            .ends()
+            .map(|place| Float::with_val(64, place.midpoint()));
+        let width = Float::with_val(64, &to - &from);
+        let rest = Float::with_val(64, end - &to) / width;
         self.slow = if rest * self.last as u64 > MAX_POINTS {
             self.slow + 1
         } else {
@@ -152,7 +159,7 @@ impl<'m> March<'m> {
         let middle = &(&from + &to) * &half;
         let reach = &(&to - &from) * &half;
         let whole = from.union(&to);
-        let (mut emission, mut extinction) = (Vec::new(), Vec::new());
+        let (mut emitted, mut extinction) = (Vec::new(), Vec::new());
         for (k, cosine) in points.cosines().iter().enumerate() {
             let place = match k {
                 0 => to.clone(),
@@ -162,17 +169,21 @@ impl<'m> March<'m> {
                     place.intersection(&whole).unwrap_or(place)
                 }
             };
-            let mut values = run(self.program, &self.constants, &place, branches).into_iter();
-            let (Some(Some(c)), Some(Some(tau))) = (values.next(), values.next()) else {
+            let (program, constants) = (self.program, &self.constants);
+            let values = match &panel.substitution {
+                Some(substitution) => substitution.values(program, constants, branches, &place),
+                None => plain(program, constants, branches, &place),
+            };
+            let Some(values) = values else {
                 return Ok(Some(2));
             };
-            if tau.is_negative() {
+            if values.extinction.is_negative() {
                 return Err(NotEnclosed::NegativeExtinction {
-                    lambda: place.midpoint().to_f64(),
+                    lambda: panel.lambda(&place).midpoint().to_f64(),
                 });
             }
-            emission.push(c);
-            extinction.push(tau);
+            emitted.push(values.source);
+            extinction.push(values.extinction);
         }
         self.work.points += degree as u64 + 1;
         let depths = points.integrals(&extinction);
@@ -180,9 +191,9 @@ impl<'m> March<'m> {
         let missed = remainder(&bound, &bound.extinction, &reach, degree);
         let mut source = Vec::new();
         if self.settings.light.is_some() {
-            for ((c, tau), depth) in emission.iter().zip(&extinction).zip(&depths) {
+            for (emitted, depth) in emitted.iter().zip(&depths) {
                 let depth = &(&(depth * &reach) + &missed) + &self.depth;
-                source.push(&(c * tau) * &exp(&-&depth));
+                source.push(emitted * &exp(&-&depth));
             }
             let light = &points.integral(&source) * &reach;
             for value in &source {
@@ -202,7 +213,7 @@ impl<'m> March<'m> {
     /// The ellipse that takes the least degree, and that degree; where none takes few enough, how many parts the panel is
     /// to be cut in.
     fn degree(&mut self, panel: &Stretch, branches: &Branches) -> Result<(Bound, usize), u32> {
-        let bits = Bounds::bits_for(&panel.from, &panel.to).next_multiple_of(64);
+        let bits = Bounds::bits_for(panel).next_multiple_of(64);
         let program = self.program;
         let bounds = self
             .bounds
@@ -212,7 +223,7 @@ impl<'m> March<'m> {
         let log2_reach = log2_abs(&Float::with_val(64, &panel.to - &panel.from)) - 1.0;
         let settings = &self.settings;
         let takes = |rho: f64| {
-            let bound = bounds.on(&panel.from, &panel.to, rho, branches)?;
+            let bound = bounds.on(panel, rho, branches)?;
             let scale = 3.0 + log2_reach - (rho - 1.0).log2() + SHARE;
             let depth = scale + log2_abs(&bound.extinction) - settings.depth;
             let light = settings.light.map_or(f64::NEG_INFINITY, |allowed| {
@@ -269,15 +280,16 @@ impl<'m> March<'m> {
         let Some((emission, extinction)) = self.range(panel) else {
             return if panel.branches.is_none() {
                 Err(NotEnclosed::NotBounded {
-                    lambda: panel.from.to_f64(),
+                    lambda: near(panel),
                 })
             } else {
                 Ok(false)
             };
         };
-        let width = &Interval::exactly(&panel.to) - &Interval::exactly(&panel.from);
-        let step = &width * &extinction;
+        let [from, to] = panel.ends();
         let zero = Interval::exactly(&Float::new(bits));
+        let width = (&to - &from).max(&zero);
+        let step = &width * &extinction;
         let within = &self.depth + &step.union(&zero);
         let light = &(&(&emission * &extinction) * &(-&within).exp()) * &width;
         if !step.is_finite() || self.settings.light.is_some() && !light.is_finite() {
@@ -300,7 +312,8 @@ impl<'m> March<'m> {
 
     /// All values of C and τ on a part of the ray, where they have a bound.
     fn range(&self, part: &Stretch) -> Option<(Interval, Interval)> {
-        let whole = Interval::exactly(&part.from).union(&Interval::exactly(&part.to));
+        let [from, to] = part.ends();
+        let whole = from.union(&to);
         let outputs = match &part.branches {
             Some(branches) => run(self.program, &self.constants, &whole, branches),
             None => hull(self.program, &self.constants, &whole),
@@ -362,6 +375,13 @@ impl<'m> March<'m> {
         self.light = &self.light + &left.union(&-&left);
         true
     }
+}
+
+/// The λ of a panel's near end, to the nearest binary64.
+fn near(panel: &Stretch) -> f64 {
+    let [from, _] = panel.ends();
+    // 0, too, where it was rounded down to −0.
+    from.midpoint().to_f64() + 0.0
 }
 
 /// log₂ e times x.

@@ -4,16 +4,20 @@
 //! what they leave out is bounded by the medium's values on an ellipse around the panel in the complex plane, enclosed
 //! in rectangles, so that nothing can hide between the points. All else is interval arithmetic in MPFR, rounded
 //! outwards. Panels are halved until the bounds are small; where the medium takes another way (a kink, a jump) the
-//! ray is cut, and what is too short to tell is enclosed by its range.
+//! ray is cut, and what is too short to tell is enclosed by its range. At an end where the medium is a series of roots it
+//! is integrated in a variable in which it is analytic there: λ = a ± w vᵖ.
 
 mod branches;
+mod crossing;
 mod ellipse;
+mod germ;
 mod march;
 mod narrow;
 mod number;
 mod rectangle;
 mod run;
 mod stretch;
+mod substitution;
 mod transform;
 
 use super::chebyshev::log2_abs;
@@ -23,10 +27,11 @@ use crate::symbolic::{Interval, Program};
 use march::{March, Settings};
 use rug::{Float, Rational};
 use run::{constants, hull};
-use stretch::stretches;
+use stretch::{Ray, Stretch};
 
 pub use rectangle::Rectangle;
 pub use run::range;
+pub use substitution::substituted;
 pub use transform::Points;
 
 /// Bits beyond the tolerance that numbers have.
@@ -117,8 +122,11 @@ pub(super) fn enclose(
         };
         let mut march = March::new(medium, settings);
         let end = Interval::point(precision, &medium.length);
-        march.run(&parts(medium, &end, precision).ok_or(NotEnclosed::TooManyBranches)?)?;
-        march.finish(&end)?;
+        let stretches = parts(medium, &end, precision).ok_or(NotEnclosed::TooManyBranches)?;
+        march.run(&stretches)?;
+        if !reaches_the_end(&stretches) {
+            march.finish(&end)?;
+        }
         work.panels = march.work.panels;
         work.points = march.work.points;
         work.evaluations += march.work.points;
@@ -171,19 +179,65 @@ pub(super) fn values(program: &Program, input: &Interval) -> Vec<Option<Interval
 }
 
 /// The ray in parts that go one way each.
-fn parts(medium: &Medium<'_>, end: &Interval, precision: u32) -> Option<Vec<stretch::Stretch>> {
-    let mut cuts = vec![Float::new(precision), end.lower().clone()];
-    // With fewer bits, so that what is beyond a cut is certainly beyond the break.
-    for place in (medium.breaks)(precision - ROUNDING_BITS / 2) {
-        cuts.push(place.lower().clone());
-        cuts.push(place.upper().clone());
-    }
-    for cut in &mut cuts {
-        cut.set_prec(precision);
-    }
-    cuts.sort_by(Float::total_cmp);
-    cuts.retain(|cut| *cut >= 0 && cut <= end.lower());
+fn parts(medium: &Medium<'_>, end: &Interval, precision: u32) -> Option<Vec<Stretch>> {
+    // With fewer bits, so that what is beyond a break is certainly beyond it.
+    let breaks = (medium.breaks)(precision - ROUNDING_BITS / 2);
     let shortest = Float::with_val(64, end.upper()) >> (precision - ROUNDING_BITS / 2);
     let constants = constants(&medium.program, precision);
-    stretches(&medium.program, &constants, &cuts, &shortest)
+    let ray = Ray {
+        program: &medium.program,
+        constants: &constants,
+        rough: &run::constants(&medium.program, crossing::ROUGH_BITS),
+        length: &medium.length,
+        breaks: &breaks,
+        shortest: &shortest,
+    };
+    ray.stretches(end.lower())
+}
+
+/// A part of the ray on which a medium is analytic: λ = from + width·uᵖ, or to − width·(1 − u)ᵖ where that is its far end.
+pub(super) struct Section {
+    /// λ at the near end.
+    pub(super) from: Float,
+    /// λ at the far end.
+    pub(super) to: Float,
+    /// p.
+    pub(super) power: u32,
+    /// Whether the power is that of the far end.
+    pub(super) is_far: bool,
+}
+
+/// The ray in such parts, their ends in so many bits; `None` where there are more than are looked for.
+pub(super) fn sections(medium: &Medium<'_>, precision: u32) -> Option<Vec<Section>> {
+    let end = Interval::point(precision, &medium.length);
+    let mut sections: Vec<Section> = Vec::new();
+    let mut from = Float::new(precision);
+    for stretch in parts(medium, &end, precision)? {
+        let [near, far] = stretch.ends().map(|place| place.midpoint());
+        if stretch.branches.is_none() {
+            // What is too short to tell is divided between its neighbours.
+            from = Float::with_val(precision, near + far) >> 1_u32;
+            if let Some(last) = sections.last_mut() {
+                last.to.clone_from(&from);
+            }
+            continue;
+        }
+        let substitution = stretch.substitution.as_ref();
+        sections.push(Section {
+            from: std::mem::replace(&mut from, far.clone()),
+            to: far,
+            power: substitution.map_or(1, |s| s.power),
+            is_far: substitution.is_some_and(|s| s.is_far),
+        });
+    }
+    if let Some(last) = sections.last_mut() {
+        last.to = end.midpoint();
+    }
+    Some(sections)
+}
+
+/// Whether D itself, and no number near it, is the end of the last of these.
+fn reaches_the_end(stretches: &[Stretch]) -> bool {
+    let last = stretches.last().and_then(|last| last.substitution.as_ref());
+    last.is_some_and(|substitution| substitution.is_far)
 }

@@ -10,6 +10,8 @@ use rug::{Float, Rational};
 pub(super) trait Number: Clone {
     fn constant(bits: u32, q: &Rational) -> Self;
     fn pi(bits: u32) -> Self;
+    /// The bits that it is held with.
+    fn bits(&self) -> u32;
     fn plus(&self, other: &Self) -> Self;
     fn minus(&self, other: &Self) -> Self;
     fn times(&self, other: &Self) -> Self;
@@ -24,12 +26,52 @@ pub(super) trait Number: Clone {
     fn call(&self, function: Function) -> Option<Self>;
 }
 
+/// Numbers of the line or of the plane.
+pub(super) trait Plane: Number {
+    /// A part of the real line.
+    fn real(x: &Interval) -> Self;
+    /// Whether no number in it is left of the imaginary axis.
+    fn is_right(&self) -> bool;
+    /// All that is in either of two, and between them.
+    fn union(&self, other: &Self) -> Self;
+}
+
+impl Plane for Interval {
+    fn real(x: &Interval) -> Self {
+        x.clone()
+    }
+    fn is_right(&self) -> bool {
+        self.is_nonnegative()
+    }
+    fn union(&self, other: &Self) -> Self {
+        Interval::union(self, other)
+    }
+}
+
+impl Plane for Rectangle {
+    fn real(x: &Interval) -> Self {
+        Rectangle::real(x.clone())
+    }
+    fn is_right(&self) -> bool {
+        self.re.is_nonnegative()
+    }
+    fn union(&self, other: &Self) -> Self {
+        Rectangle {
+            re: self.re.union(&other.re),
+            im: self.im.union(&other.im),
+        }
+    }
+}
+
 impl Number for Interval {
     fn constant(bits: u32, q: &Rational) -> Self {
         Interval::point(bits, q)
     }
     fn pi(bits: u32) -> Self {
         Interval::pi(bits)
+    }
+    fn bits(&self) -> u32 {
+        Interval::bits(self)
     }
     fn plus(&self, other: &Self) -> Self {
         self + other
@@ -96,6 +138,9 @@ impl Number for Rectangle {
     }
     fn pi(bits: u32) -> Self {
         Rectangle::real(Interval::pi(bits))
+    }
+    fn bits(&self) -> u32 {
+        Rectangle::bits(self)
     }
     fn plus(&self, other: &Self) -> Self {
         Rectangle::plus(self, other)

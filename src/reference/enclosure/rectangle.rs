@@ -37,7 +37,7 @@ impl Rectangle {
         Rectangle { re, im }
     }
 
-    fn bits(&self) -> u32 {
+    pub(super) fn bits(&self) -> u32 {
         self.re.bits()
     }
 

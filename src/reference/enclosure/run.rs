@@ -1,7 +1,8 @@
 //! Programs run on sets of numbers, their branches known.
 
 use super::branches::Branches;
-use super::number::Number;
+use super::germ::Germ;
+use super::number::{Number, Plane};
 use super::rectangle::Rectangle;
 use crate::symbolic::{
     Constant, Function, Instruction, Interval, Operand, Operation, Program, Relation,
@@ -142,7 +143,7 @@ impl<'p, N: Number> Run<'p, N> {
         }
     }
 
-    fn outputs(&self) -> Vec<Option<N>> {
+    pub(super) fn outputs(&self) -> Vec<Option<N>> {
         let outputs = self.program.outputs().iter();
         outputs.map(|&operand| self.value(operand)).collect()
     }
@@ -197,6 +198,15 @@ impl<'p, N: Number> Run<'p, N> {
             Operation::Select {
                 then, otherwise, ..
             } => self.value(if way? { then } else { otherwise }),
+        }
+    }
+}
+
+impl<N: Plane> Run<'_, Germ<N>> {
+    /// What a register holds is that number at v = 0.
+    pub(super) fn base(&mut self, register: usize, bits: u32, q: &rug::Rational) {
+        if let Some(germ) = self.registers.get(register).cloned() {
+            self.registers.put(register, germ.based_on(bits, q));
         }
     }
 }

@@ -130,7 +130,7 @@ impl<'g> Grid<'g> {
 }
 
 /// Old values at even places, new ones between them; the new ones where there are no old ones.
-fn interleaved(old: Vec<Float>, new: Vec<Float>) -> Vec<Float> {
+pub(super) fn interleaved(old: Vec<Float>, new: Vec<Float>) -> Vec<Float> {
     let mut old = old.into_iter();
     let Some(first) = old.next() else { return new };
     let mut all = vec![first];

@@ -1,6 +1,7 @@
 //! The light of a panel: ∫ C τ e^(−t).
 
 use super::super::chebyshev::{Circle, Series, log2_abs};
+use super::grid::interleaved;
 use super::verdict::{Verdict, verdict};
 use super::{Settings, Work};
 use rug::Float;
@@ -63,34 +64,15 @@ pub(super) fn light(
     }
     let limit = 2 * settings.limit;
     let mut n = panel.source.degree();
-    let mut transmittances: Vec<Float> = Vec::new();
+    circle.grow(n);
+    let mut dimmed = |source: Vec<Float>, depths: Vec<Float>| -> Vec<Float> {
+        work.transcendental_calls += depths.len() as u64;
+        let both = source.into_iter().zip(depths);
+        both.map(|(source, depth)| source * (-depth).exp())
+            .collect()
+    };
+    let mut seen = dimmed(panel.values.to_vec(), panel.depth.values(n, circle));
     loop {
-        circle.grow(n);
-        let depths = panel.depth.values(n, circle);
-        let old = std::mem::take(&mut transmittances);
-        let is_new = old.is_empty();
-        let mut old = old.into_iter();
-        for (k, depth) in depths.into_iter().enumerate() {
-            let known = if is_new || k % 2 == 1 {
-                None
-            } else {
-                old.next()
-            };
-            transmittances.push(known.unwrap_or_else(|| {
-                work.transcendental_calls += 1;
-                (-depth).exp()
-            }));
-        }
-        let source = if n == panel.source.degree() {
-            panel.values.to_vec()
-        } else {
-            panel.source.values(n, circle)
-        };
-        let seen: Vec<Float> = source
-            .into_iter()
-            .zip(&transmittances)
-            .map(|(c, t)| c * t)
-            .collect();
         let series = Series::through(&seen, circle);
         let largest = series.log2_largest(0..=n);
         let floor = largest - f64::from(settings.precision) + 40.0;
@@ -105,7 +87,13 @@ pub(super) fn light(
                     tail,
                 });
             }
-            Verdict::Open => n *= 2,
+            Verdict::Open => {
+                n *= 2;
+                circle.grow(n);
+                let [source, depths] =
+                    [&panel.source, &panel.depth].map(|series| series.values_between(n, circle));
+                seen = interleaved(seen, dimmed(source, depths));
+            }
             Verdict::Hopeless => return None,
         }
     }

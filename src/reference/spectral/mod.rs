@@ -3,7 +3,9 @@
 //! On a panel τ and C·τ are sampled on nested points until their series are resolved; the series of τ
 //! integrated is that of t, and C τ e^(−t), a series again, is integrated in its turn. A panel that is not
 //! resolved is halved, so that panels close in on what is not analytic. The ray is cut at the breaks of the
-//! case before; a value at a break, which may belong to the other side, is never used.
+//! case before, those that its formulas have or, of a case without, those that its structure tells of; roots at the ends
+//! of what is left are made analytic by a power of the variable. A value at a break, which may belong to the other
+//! side, is never used.
 
 mod grid;
 mod light;

@@ -96,3 +96,36 @@ fn integrals_of_exponentials_are_right() {
     let total = Float::with_val(BITS, 0.75).exp_m1() / 3_u32;
     assert!(close(&integral.at_right(), &total, -290));
 }
+
+#[test]
+fn points_between_have_the_values_of_the_finer_points() {
+    for n in [2, 4, 16, 128] {
+        let circle = circle(4 * n);
+        let series = Series::through(&values(n), &circle);
+        for finer in [2 * n, 4 * n] {
+            let all = series.values(finer, &circle);
+            let between = series.values_between(finer, &circle);
+            assert_eq!(between.len(), finer / 2);
+            for (k, value) in between.iter().enumerate() {
+                assert!(close(value, &all[2 * k + 1], -290), "{n} {finer} {k}");
+            }
+        }
+    }
+}
+
+#[test]
+fn rounding_errors_of_transforms_add_up_to_some_n_units() {
+    let n = 4096;
+    let mut fine = Circle::new(BITS + 64);
+    fine.grow(n);
+    let values = values(n);
+    let exact: Vec<Float> = values
+        .iter()
+        .map(|value| Float::with_val(BITS + 64, value))
+        .collect();
+    let rough = cosine_transform(&values, &circle(n));
+    for (a, b) in rough.iter().zip(cosine_transform(&exact, &fine)) {
+        // The values are of size 1 and the unit is 2^−300.
+        assert!(close(a, &b, -300 + 12 + 6));
+    }
+}

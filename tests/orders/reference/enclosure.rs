@@ -263,7 +263,7 @@ fn what_has_no_bound_is_an_estimate_and_says_why() {
         volver::case::Formulas {
             field: "lambda".parse().unwrap(),
             extinction: "1".parse().unwrap(),
-            emission: "1/sqrt(s)".parse().unwrap(),
+            emission: "ln(s)".parse().unwrap(),
             optical_depth: None,
             radiance: None,
         },
