@@ -267,7 +267,8 @@ impl<R: Real> CompositeWeights<R> {
     }
 
     /// The weights of n + 1 boundaries, n being a multiple of the group.
-    fn over(&self, n: u64) -> impl Iterator<Item = &R> {
+    /// The weights of all n + 1 boundaries.
+    pub(super) fn over(&self, n: u64) -> impl Iterator<Item = &R> {
         let inside = usize::try_from(n.saturating_sub(1)).unwrap_or(usize::MAX);
         let repeating = self.repeating.iter().cycle().skip(1).take(inside);
         let first = std::iter::once(&self.first);
