@@ -13,7 +13,7 @@ pub enum CompositingOrder {
     FrontToBack {
         /// Where Tⱼ comes from.
         depth: Accumulation,
-        /// How the radiance's terms are summed, and the depths where these are.
+        /// How the radiance's terms are summed, and the depths or what is absorbed where these are.
         summation: Summation,
         /// Where the ray ends early.
         stop: Option<Threshold>,
@@ -32,6 +32,9 @@ pub enum Accumulation {
     Transmittances,
     /// T = exp(−Σ τ d).
     Depths,
+    /// T ← T − T α, what remains of 1 when what is absorbed is taken off. Where segments are thin 1 − α has lost most
+    /// of α, and all n losses may go one way; here each is one of the last bits of T, up or down by chance.
+    Remainder,
 }
 
 /// Compositing from the eye on, ready to run in one format.
@@ -52,7 +55,11 @@ impl<R: Real> FrontToBack<R> {
     ) -> (R, u64) {
         let one = format.int(1);
         let mut radiance = Sum::new(self.summation, format);
-        let mut depth = Sum::new(self.summation, format);
+        // The depth, or what remains.
+        let mut passed = Sum::new(self.summation, format);
+        if self.depth == Accumulation::Remainder {
+            passed.add(&one);
+        }
         let mut transmittance = one.clone();
         let mut composited = 0;
         for sample in samples {
@@ -63,8 +70,12 @@ impl<R: Real> FrontToBack<R> {
             match self.depth {
                 Accumulation::Transmittances => transmittance *= &(one.clone() - &alpha),
                 Accumulation::Depths => {
-                    depth.add(&sample.depth);
-                    transmittance = (-depth.value()).exp();
+                    passed.add(&sample.depth);
+                    transmittance = (-passed.value()).exp();
+                }
+                Accumulation::Remainder => {
+                    passed.add(&-(alpha * &transmittance));
+                    transmittance = passed.value();
                 }
             }
             if let Some(threshold) = &self.threshold
@@ -135,6 +146,7 @@ impl fmt::Display for Accumulation {
         f.pad(match self {
             Accumulation::Transmittances => "transmittances",
             Accumulation::Depths => "depths",
+            Accumulation::Remainder => "remainder",
         })
     }
 }
