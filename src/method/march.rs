@@ -124,7 +124,7 @@ fn in_rows<N: Nodes>(
     let mut depth = nodes.format().int(0);
     let mut sum = depth.clone();
     let mut front: Option<Number<N>> = None;
-    let mut weights = outer.over(n);
+    let mut j = 0;
     for places in nodes.rows(n) {
         let mut depths = Vec::with_capacity(places.extinction.len());
         for extinction in &places.extinction {
@@ -135,10 +135,9 @@ fn in_rows<N: Nodes>(
         }
         let transmittances = exponential.of_negatives(&depths);
         let sources = places.emission.into_iter().zip(&places.extinction);
-        for (((emission, extinction), transmittance), weight) in
-            sources.zip(&transmittances).zip(&mut weights)
-        {
-            sum += &(emission * extinction * transmittance * weight);
+        for ((emission, extinction), transmittance) in sources.zip(&transmittances) {
+            sum += &(emission * extinction * transmittance * outer.at(j, n));
+            j += 1;
         }
     }
     sum

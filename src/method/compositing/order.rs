@@ -3,7 +3,7 @@
 use super::summation::Sum;
 use super::tree::Tree;
 use super::{OpacityFormula, Sample, Summation, Threshold};
-use crate::real::{Format, Real};
+use crate::real::{Format, Real, row};
 use std::fmt;
 
 /// In which order segments are composited; the same number in exact arithmetic.
@@ -51,6 +51,24 @@ impl<R: Real> FrontToBack<R> {
         &self,
         format: R::Format,
         samples: impl Iterator<Item = Sample<R>>,
+        record: impl FnMut(&R),
+    ) -> (R, u64) {
+        let opacity = self.opacity;
+        if R::Format::IN_LANES {
+            return self.pass(format, in_rows(opacity, samples), record);
+        }
+        let with_opacities = samples.map(|sample| {
+            let alpha = opacity.of(&sample.depth);
+            (sample, alpha)
+        });
+        self.pass(format, with_opacities, record)
+    }
+
+    /// The same of samples with their opacities.
+    fn pass(
+        &self,
+        format: R::Format,
+        samples: impl Iterator<Item = (Sample<R>, R)>,
         mut record: impl FnMut(&R),
     ) -> (R, u64) {
         let one = format.int(1);
@@ -62,8 +80,7 @@ impl<R: Real> FrontToBack<R> {
         }
         let mut transmittance = one.clone();
         let mut composited = 0;
-        for sample in samples {
-            let alpha = self.opacity.of(&sample.depth);
+        for (sample, alpha) in samples {
             record(&transmittance);
             radiance.add(&(sample.emission * &alpha * &transmittance));
             composited += 1;
@@ -86,6 +103,22 @@ impl<R: Real> FrontToBack<R> {
         }
         (radiance.value(), composited)
     }
+}
+
+/// Samples whose opacities are computed together.
+const ROW: usize = 512;
+
+/// Samples with their opacities, a row of these at a time.
+fn in_rows<R: Real>(
+    opacity: OpacityFormula,
+    mut samples: impl Iterator<Item = Sample<R>>,
+) -> impl Iterator<Item = (Sample<R>, R)> {
+    let rows = std::iter::from_fn(move || {
+        let samples = row(samples.by_ref().take(ROW));
+        let depths = row(samples.iter().map(|sample| sample.depth.clone()));
+        (!samples.is_empty()).then(|| samples.into_iter().zip(opacity.of_row(&depths)))
+    });
+    rows.flatten()
 }
 
 /// I ← C α + (1 − α) I over all samples, given from front to back.

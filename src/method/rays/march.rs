@@ -86,6 +86,10 @@ impl Places {
     }
 }
 
+/// Places whose exponentials are taken behind their media: shorter chains of operations, of which a processor does several at
+/// once.
+const GROUP: usize = 8;
+
 /// Rays to march along, from the `first` on: a multiple of the width.
 pub(super) struct March<'m, T, M> {
     pub(super) ray: &'m Ray<T>,
@@ -133,31 +137,38 @@ fn nested<L: Lanes, M: RayMedium<L::Element>>(
     while j <= ray.n {
         let places = ray.places.block(j, ray.n + 1);
         let middles = if middle {
-            ray.middles.block(j, ray.n + 1)
+            ray.middles.block(j, ray.n)
         } else {
             Vec::new()
         };
-        for (k, &lambda) in places.iter().enumerate() {
-            let Transfer {
-                emission,
-                extinction,
-            } = medium.transfer(first, zero.all(lambda));
-            if j > 0 {
-                let mean = if middle {
-                    behind
-                } else {
-                    front * half + extinction * half
-                };
-                depth = depth + mean * step;
+        for (group, places) in places.chunks(GROUP).enumerate() {
+            let (mut sources, mut depths) = ([zero; GROUP], [zero; GROUP]);
+            for (k, &lambda) in places.iter().enumerate() {
+                let Transfer {
+                    emission,
+                    extinction,
+                } = medium.transfer(first, zero.all(lambda));
+                if j + k as u64 > 0 {
+                    let mean = if middle {
+                        behind
+                    } else {
+                        front * half + extinction * half
+                    };
+                    depth = depth + mean * step;
+                }
+                if let Some(&lambda) = middles.get(group * GROUP + k) {
+                    behind = medium.transfer(first, zero.all(lambda)).extinction;
+                }
+                front = extinction;
+                sources[k] = emission * extinction;
+                depths[k] = depth;
             }
-            if middle && j < ray.n {
-                behind = medium.transfer(first, zero.all(middles[k])).extinction;
+            for (&source, &depth) in sources.iter().zip(&depths).take(places.len()) {
+                let term = source * (-depth).exp();
+                let is_end = j == 0 || j == ray.n;
+                sum = sum + if is_end { term * half } else { term };
+                j += 1;
             }
-            front = extinction;
-            let term = emission * extinction * (-depth).exp();
-            let is_end = j == 0 || j == ray.n;
-            sum = sum + if is_end { term * half } else { term };
-            j += 1;
         }
     }
     sum * step

@@ -195,7 +195,7 @@ enum Function {
 }
 
 /// Numbers that are copied together, so that they are there to be loaded as vectors.
-const BLOCK: usize = 8 * MOST;
+const BLOCK: usize = 4 * MOST;
 
 /// A function of each of a row, by the width in use; the second result is written where there is one.
 fn of_row<T: LaneFloat>(
