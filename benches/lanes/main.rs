@@ -4,7 +4,7 @@
 //! `lanes.c` is compiled here by `cc -O3 -march=native`. Answers are compared first; then all are timed in turn, by the
 //! processor's clock of this thread.
 
-#![allow(missing_docs, unsafe_code, clippy::expect_used)]
+#![allow(missing_docs, unsafe_code, clippy::expect_used, clippy::inline_always)]
 
 use libloading::Library;
 use rustix::time::{ClockId, clock_gettime};

@@ -1,5 +1,8 @@
 //! Rays or channels side by side, in the format of [lanes](crate::real::lanes): the same numbers as each ray by itself.
 
+// What takes lanes must be inlined into the function that has the instructions.
+#![allow(clippy::inline_always)]
+
 mod given;
 mod march;
 

@@ -1,5 +1,8 @@
 //! The lanes' format: functions against other libraries, and the same bits whatever the width.
 
+// What takes lanes must be inlined into the function that has the instructions.
+#![allow(clippy::inline_always)]
+
 mod binary32;
 mod binary64;
 mod widths;

@@ -33,14 +33,12 @@ fn worst(function: Function, row: &[f32], results: &[f32]) -> f64 {
     worst
 }
 
-/// Transmittances of thicker segments are no larger, opacities no smaller.
+/// Whether results fall where arguments rise: bits of negative numbers rise as these fall.
 fn falls(row: &[f32], results: &[f32]) -> bool {
-    let order = |x: &f32| if *x < 0.0 { -1 } else { 1 };
     let both = row.windows(2).zip(results.windows(2));
     let mut known = both.filter(|(x, _)| x[0].is_finite() && x[1].is_finite());
     known.any(|(x, result)| {
-        let up = order(&x[1]) > 0;
-        if up {
+        if x[0] < x[1] {
             result[1] < result[0]
         } else {
             result[1] > result[0]

@@ -11,7 +11,7 @@ use volver::real::lanes::Width;
 const BITS: u32 = 160;
 
 /// Where digits cancel or ranges end.
-const HARD: [f64; 32] = [
+const HARD: [f64; 31] = [
     0.0,
     -0.0,
     5e-324,
@@ -40,8 +40,6 @@ const HARD: [f64; 32] = [
     1e300,
     f64::MAX,
     -f64::MAX,
-    // The nearest that a number of binary64 comes to a multiple of π/2 (Kahan).
-    6_381_956_970_095_103.0 * 9.332_636_185_032_189e239 / 1.4,
     1_048_576.0,
     1_048_577.5,
     1_048_575.9,
