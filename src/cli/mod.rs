@@ -43,6 +43,8 @@ pub(crate) use terminal::{Color, width};
 use clap::{Parser, Subcommand};
 use std::io::{self, Write};
 use std::process::ExitCode;
+use std::str::FromStr;
+use volver::real::lanes::Width;
 
 const EXAMPLES: &str = "\
 Exit codes: 0 good, 1 a check failed, 2 wrong usage or input, 130 interrupted, 141
@@ -70,6 +72,10 @@ const CLOSED_PIPE: u8 = 128 + 13;
 #[derive(Parser)]
 #[command(version, after_help = EXAMPLES, arg_required_else_help = false)]
 struct Arguments {
+    /// Numbers side by side in the formats f32-lanes and f64-lanes: 1, 4, 8 or 16, as the processor has them [default: as
+    /// many as it has]; results do not depend on it
+    #[arg(long, value_name = "COUNT", value_parser = Width::from_str)]
+    lanes: Option<Width>,
     #[command(subcommand)]
     command: Command,
 }
@@ -142,10 +148,13 @@ pub(crate) enum Outcome {
 
 /// Reads the command line.
 pub(crate) fn parse() -> Result<Command, Failure> {
-    match Arguments::try_parse() {
-        Ok(arguments) => Ok(arguments.command),
-        Err(error) => Err(Failure::from(error)),
+    let Arguments { lanes, command } = Arguments::try_parse()?;
+    if let Some(width) = lanes {
+        width
+            .choose()
+            .map_err(|error| Failure::Usage(error.to_string()))?;
     }
+    Ok(command)
 }
 
 /// The exit code; what went wrong goes to standard error in one line.

@@ -43,7 +43,7 @@ rules, INNER/OUTER[/EXPONENTIAL], of riemann-left, riemann-right, midpoint,
 trapezoid, simpson, boole and gauss-POINTS; ORDER/POSITION/OPACITY, such as
 front-to-back/middle/expm1/neumaier, back-to-front/front/subtraction or
 tree/middle/relative; and preintegrated/COLOR/OPACITY, such as
-preintegrated/linear/linear: docs/study.md has them all. FORMATS are f16, bf16, f32, f64, tf32, fp8-e4m3, fp8-e5m2,
+preintegrated/linear/linear: docs/study.md has them all. FORMATS are f16, bf16, f32, f64, f32-lanes, f64-lanes, tf32, fp8-e4m3, fp8-e5m2,
 ieee:BITS,EMIN,EMAX, fixed:INTEGER.FRACTION or mpfr:BITS. Lists are separated by
 commas, blanks or semicolons; options may be repeated.
 

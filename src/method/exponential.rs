@@ -61,6 +61,12 @@ impl Exponential {
 
     /// E(−x) of each.
     pub(crate) fn of_negatives<R: Real>(self, depths: &[R]) -> Vec<R> {
+        if R::Format::IN_LANES && self == Exponential::Exact {
+            let negatives = row(depths.iter().map(|depth| -depth.clone()));
+            let mut exponentials = negatives.clone();
+            R::exp_row(&negatives, &mut exponentials);
+            return exponentials;
+        }
         row(depths.iter().map(|depth| self.of_negative(depth)))
     }
 

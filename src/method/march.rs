@@ -54,6 +54,7 @@ fn march<N: Nodes>(
     let step = format.ratio(&(Rational::from(nodes.length()) / n));
     let segment = |front, back: &Number<N>| mean(front, back) * &step;
     let radiance = match scope {
+        Scope::Whole if N::Format::IN_LANES => in_rows(exponential, nodes, n, weights, segment),
         Scope::Whole => {
             let mut depth = format.int(0);
             let start = exponential.of_negative(&depth);
@@ -108,6 +109,36 @@ fn accumulate<N: Nodes>(
     }
     if let Some(place) = places.next() {
         add(front, place, &outer.last);
+    }
+    sum
+}
+
+/// The same of the whole depth, the transmittances of a row together; `depth_of` gives a segment's depth.
+fn in_rows<N: Nodes>(
+    exponential: Exponential,
+    nodes: &N,
+    n: u64,
+    outer: &CompositeWeights<Number<N>>,
+    depth_of: impl Fn(Number<N>, &Number<N>) -> Number<N>,
+) -> Number<N> {
+    let mut depth = nodes.format().int(0);
+    let mut sum = depth.clone();
+    let mut front: Option<Number<N>> = None;
+    let mut j = 0;
+    for places in nodes.rows(n) {
+        let mut depths = Vec::with_capacity(places.extinction.len());
+        for extinction in &places.extinction {
+            if let Some(front) = front.replace(extinction.clone()) {
+                depth += &depth_of(front, extinction);
+            }
+            depths.push(depth.clone());
+        }
+        let transmittances = exponential.of_negatives(&depths);
+        let sources = places.emission.into_iter().zip(&places.extinction);
+        for ((emission, extinction), transmittance) in sources.zip(&transmittances) {
+            sum += &(emission * extinction * transmittance * outer.at(j, n));
+            j += 1;
+        }
     }
     sum
 }

@@ -15,6 +15,7 @@ mod name;
 mod nested;
 mod outer;
 pub(crate) mod preintegrated;
+mod rays;
 mod stream;
 mod theorem;
 
@@ -42,6 +43,7 @@ pub(crate) use preintegrated::attenuated_integral;
 pub use preintegrated::{
     Color, Integration, Interpolant, LastSegment, Opacity, Preintegrated, composite,
 };
+pub use rays::{RayError, RayMedium, composite_given, radiances};
 pub use theorem::Theorem;
 
 use crate::case::{AnyNodes, Case, Nodes, Number, Structure};

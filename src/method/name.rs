@@ -23,7 +23,7 @@ impl Method {
     ///   `monte-carlo-independent@SEED` and `monte-carlo-stratified@SEED`. EXPONENTIAL is `exact` (left out) or
     ///   `exact-per-segment`; `linear`, `quadratic` and `cubic` are those of each segment, `linear-whole` and so
     ///   on those of the whole depth.
-    /// - Compositing: `front-to-back/POSITION/OPACITY[/depths][/pairwise|/neumaier][/stop=1:255]`,
+    /// - Compositing: `front-to-back/POSITION/OPACITY[/depths|/remainder][/pairwise|/neumaier][/stop=1:255]`,
     ///   `back-to-front/POSITION/OPACITY`, `tree/POSITION/OPACITY` with POSITION `front`, `middle` or `back` and
     ///   OPACITY `subtraction`, `expm1`, `relative` or `linear`.
     /// - Pre-integration: `preintegrated/COLOR/OPACITY[/unattenuated]`; both are

@@ -267,6 +267,22 @@ impl<R: Real> CompositeWeights<R> {
     }
 
     /// The weights of n + 1 boundaries, n being a multiple of the group.
+    /// The weight of boundary j of n + 1.
+    #[inline]
+    pub(super) fn at(&self, j: u64, n: u64) -> &R {
+        match &self.repeating[..] {
+            _ if j == 0 => &self.first,
+            _ if j == n => &self.last,
+            [weight] => weight,
+            // A rule has weights for a group of a few.
+            weights => usize::try_from(j)
+                .ok()
+                .and_then(|j| weights.get(j % weights.len().max(1)))
+                .unwrap_or(&self.last),
+        }
+    }
+
+    /// The weights of all n + 1 boundaries.
     fn over(&self, n: u64) -> impl Iterator<Item = &R> {
         let inside = usize::try_from(n.saturating_sub(1)).unwrap_or(usize::MAX);
         let repeating = self.repeating.iter().cycle().skip(1).take(inside);

@@ -1,5 +1,6 @@
 //! Numbers of a format that is known only at run time: what is given these is compiled once, whatever the format.
 
+use super::lanes::{LaneFormat, LaneReal};
 use super::{FixedReal, Format, FormatName, IeeeReal, Mpfr, MpfrReal, Native, Real};
 use rug::{Float, Rational};
 use std::cmp::Ordering;
@@ -38,6 +39,8 @@ enum Kind {
     Bf16(Bfloat16),
     F32(f32),
     F64(f64),
+    F32Lanes(LaneReal<f32>),
+    F64Lanes(LaneReal<f64>),
     Ieee(IeeeReal),
     Fixed(FixedReal),
     Mpfr(MpfrReal),
@@ -51,6 +54,8 @@ macro_rules! of_number {
             Kind::Bf16($x) => $result,
             Kind::F32($x) => $result,
             Kind::F64($x) => $result,
+            Kind::F32Lanes($x) => $result,
+            Kind::F64Lanes($x) => $result,
             Kind::Ieee($x) => $result,
             Kind::Fixed($x) => $result,
             Kind::Mpfr($x) => $result,
@@ -78,6 +83,14 @@ macro_rules! make {
                 let $format = Native::<f64>::new();
                 Kind::F64($result)
             }
+            FormatName::F32Lanes => {
+                let $format = LaneFormat::<f32>::new();
+                Kind::F32Lanes($result)
+            }
+            FormatName::F64Lanes => {
+                let $format = LaneFormat::<f64>::new();
+                Kind::F64Lanes($result)
+            }
             FormatName::Ieee($format) => Kind::Ieee($result),
             FormatName::Fixed($format) => Kind::Fixed($result),
             FormatName::Mpfr(bits) => {
@@ -96,6 +109,8 @@ macro_rules! map {
             Kind::Bf16($x) => Kind::Bf16($result),
             Kind::F32($x) => Kind::F32($result),
             Kind::F64($x) => Kind::F64($result),
+            Kind::F32Lanes($x) => Kind::F32Lanes($result),
+            Kind::F64Lanes($x) => Kind::F64Lanes($result),
             Kind::Ieee($x) => Kind::Ieee($result),
             Kind::Fixed($x) => Kind::Fixed($result),
             Kind::Mpfr($x) => Kind::Mpfr($result),
@@ -111,6 +126,8 @@ macro_rules! of_both {
             (Kind::Bf16($x), Kind::Bf16($y)) => $result,
             (Kind::F32($x), Kind::F32($y)) => $result,
             (Kind::F64($x), Kind::F64($y)) => $result,
+            (Kind::F32Lanes($x), Kind::F32Lanes($y)) => $result,
+            (Kind::F64Lanes($x), Kind::F64Lanes($y)) => $result,
             (Kind::Ieee($x), Kind::Ieee($y)) => $result,
             (Kind::Fixed($x), Kind::Fixed($y)) => $result,
             (Kind::Mpfr($x), Kind::Mpfr($y)) => $result,
@@ -126,8 +143,8 @@ impl Format for FormatName {
         match self {
             FormatName::F16 => BINARY16.bits(),
             FormatName::Bf16 => BFLOAT16.bits(),
-            FormatName::F32 => f32::MANTISSA_DIGITS,
-            FormatName::F64 => f64::MANTISSA_DIGITS,
+            FormatName::F32 | FormatName::F32Lanes => f32::MANTISSA_DIGITS,
+            FormatName::F64 | FormatName::F64Lanes => f64::MANTISSA_DIGITS,
             FormatName::Ieee(format) => format.bits(),
             FormatName::Fixed(format) => format.bits(),
             FormatName::Mpfr(bits) => bits,
@@ -221,6 +238,48 @@ macro_rules! by_kind {
     )*};
 }
 
+/// The numbers of a row where all are of that kind of lanes; nothing is allocated where the first is not.
+macro_rules! lanes {
+    ($row:expr, $kind:ident) => {
+        $row.iter()
+            .map(|x| match &x.0 {
+                Kind::$kind(x) => Some(*x),
+                _ => None,
+            })
+            .collect::<Option<Vec<_>>>()
+    };
+}
+
+/// Puts numbers of lanes where others were.
+macro_rules! put {
+    ($numbers:expr, $kind:ident, $row:expr) => {
+        for (any, number) in $row.iter_mut().zip($numbers) {
+            *any = AnyReal(Kind::$kind(number));
+        }
+    };
+}
+
+/// A function of one result of each of a row.
+macro_rules! row_by_kind {
+    ($($function:ident of $one:ident),*) => {$(
+        fn $function(row: &[Self], results: &mut [Self]) {
+            if let Some(numbers) = lanes!(row, F32Lanes) {
+                let mut values = numbers.clone();
+                Real::$function(&numbers, &mut values);
+                put!(values, F32Lanes, results);
+            } else if let Some(numbers) = lanes!(row, F64Lanes) {
+                let mut values = numbers.clone();
+                Real::$function(&numbers, &mut values);
+                put!(values, F64Lanes, results);
+            } else {
+                for (x, result) in row.iter().zip(results) {
+                    *result = x.clone().$one();
+                }
+            }
+        }
+    )*};
+}
+
 impl Real for AnyReal {
     type Format = FormatName;
 
@@ -230,6 +289,8 @@ impl Real for AnyReal {
             Kind::Bf16(_) => FormatName::Bf16,
             Kind::F32(_) => FormatName::F32,
             Kind::F64(_) => FormatName::F64,
+            Kind::F32Lanes(_) => FormatName::F32Lanes,
+            Kind::F64Lanes(_) => FormatName::F64Lanes,
             Kind::Ieee(x) => FormatName::Ieee(x.format()),
             Kind::Fixed(x) => FormatName::Fixed(x.format()),
             Kind::Mpfr(x) => FormatName::Mpfr(x.format().bits),
@@ -252,7 +313,25 @@ impl Real for AnyReal {
                 }
             };
         }
-        both!(F16, Bf16, F32, F64, Ieee, Fixed, Mpfr)
+        both!(F16, Bf16, F32, F64, F32Lanes, F64Lanes, Ieee, Fixed, Mpfr)
+    }
+    row_by_kind! { exp_row of exp, exp_m1_row of exp_m1 }
+    fn sin_cos_row(row: &[Self], sines: &mut [Self], cosines: &mut [Self]) {
+        if let Some(numbers) = lanes!(row, F32Lanes) {
+            let (mut sin, mut cos) = (numbers.clone(), numbers.clone());
+            Real::sin_cos_row(&numbers, &mut sin, &mut cos);
+            put!(sin, F32Lanes, sines);
+            put!(cos, F32Lanes, cosines);
+        } else if let Some(numbers) = lanes!(row, F64Lanes) {
+            let (mut sin, mut cos) = (numbers.clone(), numbers.clone());
+            Real::sin_cos_row(&numbers, &mut sin, &mut cos);
+            put!(sin, F64Lanes, sines);
+            put!(cos, F64Lanes, cosines);
+        } else {
+            for ((x, sin), cos) in row.iter().zip(sines).zip(cosines) {
+                (*sin, *cos) = x.clone().sin_cos();
+            }
+        }
     }
     fn is_finite(&self) -> bool {
         of_number!(&self.0, x => Real::is_finite(x))

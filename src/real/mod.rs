@@ -10,6 +10,7 @@ mod any;
 pub mod counted;
 mod fixed;
 mod ieee;
+pub mod lanes;
 mod mpfr;
 mod name;
 mod native;
@@ -39,6 +40,9 @@ pub trait Format: Copy + Debug + Display + PartialEq + Send + Sync + 'static {
 
     /// Whether [`Real::rounded`] knows what elementary functions give, to the last bit.
     const ROUNDS_FUNCTIONS: bool = false;
+
+    /// Whether functions of rows are quicker than of one number after the other.
+    const IN_LANES: bool = false;
 
     /// Significant bits with the leading one: MPFR's convention (binary32: 24, binary64: 53). In a
     /// fixed-point format those of numbers just below 1, where 2^−bits is its quantum.
@@ -139,6 +143,24 @@ pub trait Real:
     fn ln_1p(self) -> Self;
     /// (sin x, cos x), evaluated together.
     fn sin_cos(self) -> (Self, Self);
+    /// eˣ of each x of a row, with the bits of [`Real::exp`].
+    fn exp_row(row: &[Self], exponentials: &mut [Self]) {
+        for (x, exponential) in row.iter().zip(exponentials) {
+            *exponential = x.clone().exp();
+        }
+    }
+    /// eˣ − 1 of each x of a row, with the bits of [`Real::exp_m1`].
+    fn exp_m1_row(row: &[Self], exponentials: &mut [Self]) {
+        for (x, exponential) in row.iter().zip(exponentials) {
+            *exponential = x.clone().exp_m1();
+        }
+    }
+    /// sin x and cos x of each x of a row, with the bits of [`Real::sin_cos`].
+    fn sin_cos_row(row: &[Self], sines: &mut [Self], cosines: &mut [Self]) {
+        for ((x, sin), cos) in row.iter().zip(sines).zip(cosines) {
+            (*sin, *cos) = x.clone().sin_cos();
+        }
+    }
     /// tan x.
     #[must_use]
     fn tan(self) -> Self;

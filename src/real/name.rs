@@ -1,4 +1,4 @@
-//! Formats by name: `f16`, `bf16`, `f32`, `f64`, `tf32`, `fp8-e4m3`, `fp8-e5m2`, `ieee:24,-126,127`,
+//! Formats by name: `f16`, `bf16`, `f32`, `f64`, `f32-lanes`, `f64-lanes`, `tf32`, `fp8-e4m3`, `fp8-e5m2`, `ieee:24,-126,127`,
 //! `fixed:15`, `fixed:8.24`, `mpfr:256`.
 
 mod error;
@@ -25,6 +25,10 @@ pub enum FormatName {
     F32,
     /// IEEE binary64.
     F64,
+    /// binary32 in [lanes](super::lanes).
+    F32Lanes,
+    /// binary64 in [lanes](super::lanes).
+    F64Lanes,
     /// An emulated format after IEEE 754.
     Ieee(Ieee),
     /// A fixed-point format.
@@ -42,6 +46,8 @@ impl FromStr for FormatName {
             "bf16" => Ok(FormatName::Bf16),
             "f32" => Ok(FormatName::F32),
             "f64" => Ok(FormatName::F64),
+            "f32-lanes" => Ok(FormatName::F32Lanes),
+            "f64-lanes" => Ok(FormatName::F64Lanes),
             "tf32" => Ok(FormatName::Ieee(Ieee::TF32)),
             "fp8-e4m3" => Ok(FormatName::Ieee(Ieee::E4M3)),
             "fp8-e5m2" => Ok(FormatName::Ieee(Ieee::E5M2)),
@@ -99,6 +105,8 @@ impl fmt::Display for FormatName {
             FormatName::Bf16 => f.pad("bf16"),
             FormatName::F32 => f.pad("f32"),
             FormatName::F64 => f.pad("f64"),
+            FormatName::F32Lanes => f.pad("f32-lanes"),
+            FormatName::F64Lanes => f.pad("f64-lanes"),
             FormatName::Ieee(format) => format.fmt(f),
             FormatName::Fixed(format) => format.fmt(f),
             FormatName::Mpfr(bits) => f.pad(&format!("mpfr:{bits}")),
@@ -143,8 +151,8 @@ impl FormatName {
     pub(crate) fn emin(self) -> Option<i32> {
         match self {
             FormatName::F16 => Some(-14),
-            FormatName::Bf16 | FormatName::F32 => Some(-126),
-            FormatName::F64 => Some(-1022),
+            FormatName::Bf16 | FormatName::F32 | FormatName::F32Lanes => Some(-126),
+            FormatName::F64 | FormatName::F64Lanes => Some(-1022),
             FormatName::Ieee(format) => Some(format.emin()),
             FormatName::Fixed(_) | FormatName::Mpfr(_) => None,
         }
@@ -157,9 +165,12 @@ impl FormatName {
             FormatName::F32 => action.run(Native::<f32>::new()),
             FormatName::F64 => action.run(Native::<f64>::new()),
             FormatName::Mpfr(bits) => action.run(Mpfr { bits }),
-            FormatName::F16 | FormatName::Bf16 | FormatName::Ieee(_) | FormatName::Fixed(_) => {
-                action.run(self)
-            }
+            FormatName::F16
+            | FormatName::Bf16
+            | FormatName::F32Lanes
+            | FormatName::F64Lanes
+            | FormatName::Ieee(_)
+            | FormatName::Fixed(_) => action.run(self),
         }
     }
 }

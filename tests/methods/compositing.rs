@@ -41,6 +41,7 @@ fn until(numerator: u32, denominator: u32) -> CompositingOrder {
 fn orders_of_opacities() -> Vec<CompositingOrder> {
     let mut orders = vec![CompositingOrder::BackToFront, CompositingOrder::Tree];
     orders.extend(SUMMATIONS.map(|sum| front_to_back(Accumulation::Transmittances, sum)));
+    orders.extend(SUMMATIONS.map(|sum| front_to_back(Accumulation::Remainder, sum)));
     orders
 }
 

@@ -17,5 +17,6 @@ mod precision;
 mod properties;
 mod quadrature;
 mod random_cases;
+mod rays;
 mod rules;
 mod sharing;

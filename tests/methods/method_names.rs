@@ -69,7 +69,14 @@ fn compositing(g: &mut Gen) -> Compositing {
     let summations = [Summation::Naive, Summation::Pairwise, Summation::Neumaier];
     let orders = [
         CompositingOrder::FrontToBack {
-            depth: of(g, &[Accumulation::Transmittances, Accumulation::Depths]),
+            depth: of(
+                g,
+                &[
+                    Accumulation::Transmittances,
+                    Accumulation::Depths,
+                    Accumulation::Remainder,
+                ],
+            ),
             summation: of(g, &summations),
             stop: Threshold::new(u32::arbitrary(g), u32::arbitrary(g)),
         },

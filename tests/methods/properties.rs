@@ -29,11 +29,13 @@ use rug::{Float, Rational};
 use volver::real::{FormatName, Real};
 
 /// The formats of every property.
-const FORMATS: [&str; 11] = [
+const FORMATS: [&str; 13] = [
     "f16",
     "bf16",
     "f32",
     "f64",
+    "f32-lanes",
+    "f64-lanes",
     "tf32",
     "fp8-e5m2",
     "ieee:17,-126,127",
@@ -60,8 +62,8 @@ impl Rounding {
         match format {
             FormatName::F16 => floating(11, -14),
             FormatName::Bf16 => floating(8, -126),
-            FormatName::F32 => floating(24, -126),
-            FormatName::F64 => floating(53, -1022),
+            FormatName::F32 | FormatName::F32Lanes => floating(24, -126),
+            FormatName::F64 | FormatName::F64Lanes => floating(53, -1022),
             FormatName::Ieee(format) => {
                 let bits = volver::real::Format::bits(format).cast_signed();
                 floating(bits, format.emin())

@@ -4,6 +4,7 @@ use half::{bf16, f16};
 use quickcheck::QuickCheck;
 use rug::{Float, Rational};
 use std::cmp::Ordering;
+use volver::real::lanes::LaneFormat;
 use volver::real::{AnyReal, Fixed, Format, FormatName, Ieee, Mpfr, Native, Real};
 
 /// The same number, or NaN both, and the same text of it.
@@ -67,6 +68,8 @@ fn in_every_format(a: i32, b: u16, c: i16, d: u8) -> bool {
         && all_the_same(Native::<bf16>::new(), FormatName::Bf16, &x, &y)
         && all_the_same(Native::<f32>::new(), FormatName::F32, &x, &y)
         && all_the_same(Native::<f64>::new(), FormatName::F64, &x, &y)
+        && all_the_same(LaneFormat::<f32>::new(), FormatName::F32Lanes, &x, &y)
+        && all_the_same(LaneFormat::<f64>::new(), FormatName::F64Lanes, &x, &y)
         && all_the_same(Ieee::TF32, FormatName::Ieee(Ieee::TF32), &x, &y)
         && all_the_same(Ieee::E4M3, FormatName::Ieee(Ieee::E4M3), &x, &y)
         && all_the_same(fixed, FormatName::Fixed(fixed), &x, &y)

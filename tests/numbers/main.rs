@@ -14,6 +14,7 @@ mod coarse_formats;
 mod counted;
 mod elementary;
 mod formats;
+mod lanes;
 mod names;
 mod scalars;
 mod special;

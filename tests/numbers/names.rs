@@ -2,7 +2,7 @@
 
 use volver::real::{Fixed, Format, FormatError, FormatName, Ieee, WithFormat};
 
-fn names() -> [(&'static str, FormatName, u32); 15] {
+fn names() -> [(&'static str, FormatName, u32); 17] {
     let ieee = |bits, emin, emax| FormatName::Ieee(Ieee::new(bits, emin, emax).unwrap());
     let fixed = |integer, fraction| FormatName::Fixed(Fixed::new(integer, fraction).unwrap());
     [
@@ -10,6 +10,8 @@ fn names() -> [(&'static str, FormatName, u32); 15] {
         ("bf16", FormatName::Bf16, 8),
         ("f32", FormatName::F32, 24),
         ("f64", FormatName::F64, 53),
+        ("f32-lanes", FormatName::F32Lanes, 24),
+        ("f64-lanes", FormatName::F64Lanes, 53),
         ("mpfr:2", FormatName::Mpfr(2), 2),
         ("mpfr:256", FormatName::Mpfr(256), 256),
         ("mpfr:1048576", FormatName::Mpfr(1 << 20), 1 << 20),
@@ -183,7 +185,7 @@ fn an_unknown_name_is_repeated_with_the_allowed_ones() {
         assert_eq!(
             error.to_string(),
             format!(
-                "unknown format '{name}' (allowed: f16, bf16, f32, f64, tf32, fp8-e4m3, fp8-e5m2, ieee:BITS,EMIN,EMAX, fixed:FRACTION, fixed:INTEGER.FRACTION, mpfr:BITS)"
+                "unknown format '{name}' (allowed: f16, bf16, f32, f64, f32-lanes, f64-lanes, tf32, fp8-e4m3, fp8-e5m2, ieee:BITS,EMIN,EMAX, fixed:FRACTION, fixed:INTEGER.FRACTION, mpfr:BITS)"
             )
         );
     }

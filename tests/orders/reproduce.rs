@@ -191,7 +191,7 @@ fn bad_input_is_named_in_one_line_and_leaves_no_file() {
         ),
         (
             vec!["--format", "f128"],
-            "unknown format 'f128' (allowed: f16, bf16, f32, f64, tf32, fp8-e4m3, fp8-e5m2, ieee:BITS,EMIN,EMAX, fixed:FRACTION, fixed:INTEGER.FRACTION, mpfr:BITS)",
+            "unknown format 'f128' (allowed: f16, bf16, f32, f64, f32-lanes, f64-lanes, tf32, fp8-e4m3, fp8-e5m2, ieee:BITS,EMIN,EMAX, fixed:FRACTION, fixed:INTEGER.FRACTION, mpfr:BITS)",
         ),
         (
             vec!["--format", "mpfr:1"],

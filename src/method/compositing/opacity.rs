@@ -1,7 +1,7 @@
 //! A segment's opacity from its optical depth.
 
 use crate::real::special::relative_opacity;
-use crate::real::{Format, Real};
+use crate::real::{Format, Real, row};
 use std::fmt;
 
 /// How the opacity α of a segment is computed from its optical depth x = τ d.
@@ -29,6 +29,24 @@ impl OpacityFormula {
             OpacityFormula::Expm1 => -(-x.clone()).exp_m1(),
             OpacityFormula::Relative => relative_opacity(x) * x,
             OpacityFormula::Linear => x.clone(),
+        }
+    }
+
+    /// α of each of a row, with the bits of [`OpacityFormula::of`].
+    pub(super) fn of_row<R: Real>(self, x: &[R]) -> Vec<R> {
+        let negatives = || row(x.iter().map(|x| -x.clone()));
+        match self {
+            OpacityFormula::Subtraction => {
+                let mut transmittances = negatives();
+                R::exp_row(&negatives(), &mut transmittances);
+                row(transmittances.iter().map(|t| t.format().int(1) - t))
+            }
+            OpacityFormula::Expm1 => {
+                let mut opacities = negatives();
+                R::exp_m1_row(&negatives(), &mut opacities);
+                row(opacities.into_iter().map(|opacity| -opacity))
+            }
+            OpacityFormula::Relative | OpacityFormula::Linear => row(x.iter().map(|x| self.of(x))),
         }
     }
 }

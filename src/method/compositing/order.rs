@@ -3,7 +3,7 @@
 use super::summation::Sum;
 use super::tree::Tree;
 use super::{OpacityFormula, Sample, Summation, Threshold};
-use crate::real::{Format, Real};
+use crate::real::{Format, Real, row};
 use std::fmt;
 
 /// In which order segments are composited; the same number in exact arithmetic.
@@ -13,7 +13,7 @@ pub enum CompositingOrder {
     FrontToBack {
         /// Where Tⱼ comes from.
         depth: Accumulation,
-        /// How the radiance's terms are summed, and the depths where these are.
+        /// How the radiance's terms are summed, and the depths or what is absorbed where these are.
         summation: Summation,
         /// Where the ray ends early.
         stop: Option<Threshold>,
@@ -32,6 +32,9 @@ pub enum Accumulation {
     Transmittances,
     /// T = exp(−Σ τ d).
     Depths,
+    /// T ← T − T α, what remains of 1 when what is absorbed is taken off. Where segments are thin 1 − α has lost most
+    /// of α, and all n losses may go one way; here each is one of the last bits of T, up or down by chance.
+    Remainder,
 }
 
 /// Compositing from the eye on, ready to run in one format.
@@ -48,23 +51,48 @@ impl<R: Real> FrontToBack<R> {
         &self,
         format: R::Format,
         samples: impl Iterator<Item = Sample<R>>,
+        record: impl FnMut(&R),
+    ) -> (R, u64) {
+        let opacity = self.opacity;
+        if R::Format::IN_LANES {
+            return self.pass(format, in_rows(opacity, samples), record);
+        }
+        let with_opacities = samples.map(|sample| {
+            let alpha = opacity.of(&sample.depth);
+            (sample, alpha)
+        });
+        self.pass(format, with_opacities, record)
+    }
+
+    /// The same of samples with their opacities.
+    fn pass(
+        &self,
+        format: R::Format,
+        samples: impl Iterator<Item = (Sample<R>, R)>,
         mut record: impl FnMut(&R),
     ) -> (R, u64) {
         let one = format.int(1);
         let mut radiance = Sum::new(self.summation, format);
-        let mut depth = Sum::new(self.summation, format);
+        // The depth, or what remains.
+        let mut passed = Sum::new(self.summation, format);
+        if self.depth == Accumulation::Remainder {
+            passed.add(&one);
+        }
         let mut transmittance = one.clone();
         let mut composited = 0;
-        for sample in samples {
-            let alpha = self.opacity.of(&sample.depth);
+        for (sample, alpha) in samples {
             record(&transmittance);
             radiance.add(&(sample.emission * &alpha * &transmittance));
             composited += 1;
             match self.depth {
                 Accumulation::Transmittances => transmittance *= &(one.clone() - &alpha),
                 Accumulation::Depths => {
-                    depth.add(&sample.depth);
-                    transmittance = (-depth.value()).exp();
+                    passed.add(&sample.depth);
+                    transmittance = (-passed.value()).exp();
+                }
+                Accumulation::Remainder => {
+                    passed.add(&-(alpha * &transmittance));
+                    transmittance = passed.value();
                 }
             }
             if let Some(threshold) = &self.threshold
@@ -75,6 +103,22 @@ impl<R: Real> FrontToBack<R> {
         }
         (radiance.value(), composited)
     }
+}
+
+/// Samples whose opacities are computed together.
+const ROW: usize = 512;
+
+/// Samples with their opacities, a row of these at a time.
+fn in_rows<R: Real>(
+    opacity: OpacityFormula,
+    mut samples: impl Iterator<Item = Sample<R>>,
+) -> impl Iterator<Item = (Sample<R>, R)> {
+    let rows = std::iter::from_fn(move || {
+        let samples = row(samples.by_ref().take(ROW));
+        let depths = row(samples.iter().map(|sample| sample.depth.clone()));
+        (!samples.is_empty()).then(|| samples.into_iter().zip(opacity.of_row(&depths)))
+    });
+    rows.flatten()
 }
 
 /// I ← C α + (1 − α) I over all samples, given from front to back.
@@ -135,6 +179,7 @@ impl fmt::Display for Accumulation {
         f.pad(match self {
             Accumulation::Transmittances => "transmittances",
             Accumulation::Depths => "depths",
+            Accumulation::Remainder => "remainder",
         })
     }
 }

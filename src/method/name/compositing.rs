@@ -14,7 +14,7 @@ const OPACITIES: [OpacityFormula; 4] = [
     OpacityFormula::Linear,
 ];
 const OPTIONS: &str =
-    "transmittances, depths, naive, pairwise, neumaier, stop=NUMERATOR:DENOMINATOR";
+    "transmittances, depths, remainder, naive, pairwise, neumaier, stop=NUMERATOR:DENOMINATOR";
 const THRESHOLDS: &str = "stop=NUMERATOR:DENOMINATOR between 0 and 1, of integers below 2³²";
 
 pub(super) fn parse(kind: &str, parts: &mut Parts<'_>) -> Result<Compositing, MethodNameError> {
@@ -39,6 +39,7 @@ fn front_to_back(parts: &mut Parts<'_>) -> Result<CompositingOrder, MethodNameEr
         let repeated = match part {
             "transmittances" => depth.replace(Accumulation::Transmittances).is_some(),
             "depths" => depth.replace(Accumulation::Depths).is_some(),
+            "remainder" => depth.replace(Accumulation::Remainder).is_some(),
             "naive" => summation.replace(Summation::Naive).is_some(),
             "pairwise" => summation.replace(Summation::Pairwise).is_some(),
             "neumaier" => summation.replace(Summation::Neumaier).is_some(),

@@ -8,7 +8,7 @@ use crate::real::{MAX_EXPONENT, MAX_FRACTION, MAX_IEEE_BITS, MAX_INTEGER};
 pub enum FormatError {
     /// Not one of the names.
     #[error(
-        "unknown format '{name}' (allowed: f16, bf16, f32, f64, tf32, fp8-e4m3, fp8-e5m2, ieee:BITS,EMIN,EMAX, fixed:FRACTION, fixed:INTEGER.FRACTION, mpfr:BITS)"
+        "unknown format '{name}' (allowed: f16, bf16, f32, f64, f32-lanes, f64-lanes, tf32, fp8-e4m3, fp8-e5m2, ieee:BITS,EMIN,EMAX, fixed:FRACTION, fixed:INTEGER.FRACTION, mpfr:BITS)"
     )]
     Unknown {
         /// The text given.

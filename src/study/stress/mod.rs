@@ -49,7 +49,7 @@ pub enum StressError {
     },
     /// A format that has no ends within reach.
     #[error(
-        "format '{name}': there is nothing to stress (allowed: f16, bf16, f32, f64, tf32, fp8-e4m3, fp8-e5m2, ieee:BITS,EMIN,EMAX, fixed:FRACTION, fixed:INTEGER.FRACTION)"
+        "format '{name}': there is nothing to stress (allowed: f16, bf16, f32, f64, f32-lanes, f64-lanes, tf32, fp8-e4m3, fp8-e5m2, ieee:BITS,EMIN,EMAX, fixed:FRACTION, fixed:INTEGER.FRACTION)"
     )]
     Format {
         /// The format.

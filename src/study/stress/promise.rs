@@ -14,7 +14,9 @@
 //! Σ α T ≤ 1 behind any segment: summed, a u max C (1 − T(D)), or a/g units with g = Q/(max C (1 − T(D))), which is 1 in
 //! a slab. The absolute 2 u of the subtraction add, here and there, 4 n max C/Q units. T = e^(−t) from depths is off by
 //! t (X + s) + 2 units, s being what the sum of the depths adds; Σ t α T ≤ Σ α T in a slab, so that t counts as 1 there
-//! and as t(D) elsewhere.
+//! and as t(D) elsewhere. T as what remains has the product's unit as one more of α, and n of its own; where it is
+//! summed otherwise than naively, the sum of 1 and what is absorbed, at most 2, is off by an absolute 2 log₂ n + 2 or
+//! 4 n² u units, each of which counts as n max C/Q.
 //!
 //! Nested rules: all weights and terms are positive. t has v + 6 + n units, counted as in T from depths (up to 3 times under
 //! Simpson's weights, since x/sinh x ≤ 1); products, weights, d and the sum add 2 v + 10 + n.
@@ -160,6 +162,14 @@ fn composited(compositing: Compositing, facts: &Facts, u: f64) -> f64 {
             let transmittance = match depth {
                 Accumulation::Transmittances => from_opacities,
                 Accumulation::Depths => weight_of_depth(facts, 1.0) * (x + summed(summation)) + 2.0,
+                Accumulation::Remainder => {
+                    let absorbed = match summation {
+                        Summation::Naive => n,
+                        Summation::Pairwise => 2.0 * levels * n * facts.inverse,
+                        Summation::Neumaier => 1.0 + 4.0 * n * n * u * n * facts.inverse,
+                    };
+                    (opacity + 1.0) * facts.contrast + absorbed
+                }
             };
             term + summed(summation) + transmittance
         }

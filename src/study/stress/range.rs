@@ -1,5 +1,6 @@
 //! Where a format's numbers end, and how well it rounds between the ends.
 
+use crate::real::lanes::{LaneFloat, LaneFormat, LaneReal};
 use crate::real::{Fixed, FixedReal, Format, Ieee, Native, NativeFloat, Real};
 
 /// What the error model needs to know of a format: fl(a ∘ b) = (a ∘ b)(1 + δ) + ε with |δ| ≤ u and |ε| ≤ η.
@@ -62,6 +63,28 @@ impl<T: NativeFloat> Range for Native<T> {
     }
     #[inline]
     fn is_end(_: &T) -> bool {
+        false
+    }
+}
+
+impl<T: LaneFloat> Range for LaneFormat<T> {
+    fn rounding(self) -> Rounding {
+        Native::<T>::new().rounding()
+    }
+    #[inline]
+    fn is_zero(x: &LaneReal<T>) -> bool {
+        Native::is_zero(&x.0)
+    }
+    #[inline]
+    fn is_negative(x: &LaneReal<T>) -> bool {
+        Native::is_negative(&x.0)
+    }
+    #[inline]
+    fn is_subnormal(x: &LaneReal<T>) -> bool {
+        Native::is_subnormal(&x.0)
+    }
+    #[inline]
+    fn is_end(_: &LaneReal<T>) -> bool {
         false
     }
 }

@@ -17,6 +17,7 @@ use crate::method::{
     Accumulation, CompositingOrder, Method, MethodError, OpacityFormula, Position,
 };
 use crate::parallel;
+use crate::real::lanes::LaneFormat;
 use crate::real::{Format, FormatName, Native, Real};
 use crate::study::Progress;
 use half::{bf16, f16};
@@ -127,6 +128,8 @@ fn cell(scenario: &Scenario, method: &Method, kind: Kind, format: FormatName) ->
             FormatName::Bf16 => run.fill(&mut cell, Native::<bf16>::new()),
             FormatName::F32 => run.fill(&mut cell, Native::<f32>::new()),
             FormatName::F64 => run.fill(&mut cell, Native::<f64>::new()),
+            FormatName::F32Lanes => run.fill(&mut cell, LaneFormat::<f32>::new()),
+            FormatName::F64Lanes => run.fill(&mut cell, LaneFormat::<f64>::new()),
             FormatName::Ieee(format) => run.fill(&mut cell, format),
             FormatName::Fixed(format) => run.fill(&mut cell, format),
             // Refused beforehand.

@@ -51,9 +51,12 @@ pub(super) fn bytes_alone(method: &Method, format: FormatName, n: u64) -> f64 {
 fn number_bytes(format: FormatName) -> f64 {
     match format {
         FormatName::Mpfr(bits) => f64::from(bits) / 8.0 + HEADER_BYTES,
-        FormatName::F16 | FormatName::Bf16 | FormatName::F32 | FormatName::F64 => {
-            size_of::<f64>() as f64
-        }
+        FormatName::F16
+        | FormatName::Bf16
+        | FormatName::F32
+        | FormatName::F64
+        | FormatName::F32Lanes
+        | FormatName::F64Lanes => size_of::<f64>() as f64,
         // Emulated numbers are of machine integers.
         FormatName::Ieee(_) | FormatName::Fixed(_) => 2.0 * size_of::<u64>() as f64,
     }

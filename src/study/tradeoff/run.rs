@@ -128,7 +128,9 @@ pub fn seconds(settings: &Settings, threads: usize) -> f64 {
     let of_part = |part: &Part, case: &SymbolicCase| -> f64 {
         let weight = f64::max(1.0, f64::from(part.format.bits()) / 128.0);
         let plain = match part.format {
-            FormatName::F32 | FormatName::F64 => NATIVE_SECONDS,
+            FormatName::F32 | FormatName::F64 | FormatName::F32Lanes | FormatName::F64Lanes => {
+                NATIVE_SECONDS
+            }
             _ => MPFR_SECONDS * weight,
         };
         let methods = part.methods.iter().map(|(method, _)| {

@@ -133,13 +133,18 @@ impl<F: Format> Bound<'_, F> {
                 }),
                 Operation::Negate(a) => unary(target, values(a), |x| -x),
                 Operation::Sqrt(a) => unary(target, values(a), Real::sqrt),
-                Operation::ExpM1(a) => unary(target, values(a), Real::exp_m1 as fn(_) -> _),
+                Operation::ExpM1(a) => in_row(target, values(a), Real::exp_m1_row, Real::exp_m1),
                 Operation::Ln1p(a) => unary(target, values(a), Real::ln_1p as fn(_) -> _),
                 Operation::Call(function, a) => call(function, target, values(a)),
                 Operation::SinCos(a) => {
                     let cosines = &mut next[..count];
-                    for (i, (sin, cos)) in target.iter_mut().zip(cosines).enumerate() {
-                        (*sin, *cos) = lane(values(a), i).clone().sin_cos();
+                    match values(a) {
+                        Values::Each(a) => Real::sin_cos_row(a, target, cosines),
+                        Values::All(a) => {
+                            for (sin, cos) in target.iter_mut().zip(cosines) {
+                                (*sin, *cos) = a.clone().sin_cos();
+                            }
+                        }
                     }
                 }
                 Operation::Select {
@@ -229,7 +234,24 @@ fn unary<R: Real>(target: &mut [R], a: Values<'_, R>, apply: impl Fn(R) -> R) {
     }
 }
 
+/// The same of a function that rows have.
+fn in_row<R: Real>(
+    target: &mut [R],
+    a: Values<'_, R>,
+    of_row: fn(&[R], &mut [R]),
+    of_one: fn(R) -> R,
+) {
+    match a {
+        Values::Each(a) => of_row(a, target),
+        Values::All(_) => unary(target, a, of_one),
+    }
+}
+
 fn call<R: Real>(function: Function, target: &mut [R], a: Values<'_, R>) {
+    // The commonest of all.
+    if function == Function::Exp {
+        return in_row(target, a, R::exp_row, R::exp);
+    }
     // Through a pointer, which is nothing beside the function: one loop for all of them.
     let apply: fn(R) -> R = match function {
         Function::Exp => Real::exp,

@@ -432,7 +432,7 @@ fn greetings_of_other_versions_are_refused_with_what_they_lack() {
         ),
         (
             r#""protocol":2,"output":"f12""#,
-            "output: unknown format 'f12' (allowed: f16, bf16, f32, f64, tf32, fp8-e4m3, fp8-e5m2, ieee:BITS,EMIN,EMAX, \
+            "output: unknown format 'f12' (allowed: f16, bf16, f32, f64, f32-lanes, f64-lanes, tf32, fp8-e4m3, fp8-e5m2, ieee:BITS,EMIN,EMAX, \
              fixed:FRACTION, fixed:INTEGER.FRACTION, mpfr:BITS)",
         ),
         (

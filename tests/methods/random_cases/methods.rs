@@ -129,7 +129,14 @@ fn compositing(g: &mut Gen) -> Compositing {
         CompositingOrder::BackToFront,
         CompositingOrder::Tree,
         CompositingOrder::FrontToBack {
-            depth: of(g, &[Accumulation::Transmittances, Accumulation::Depths]),
+            depth: of(
+                g,
+                &[
+                    Accumulation::Transmittances,
+                    Accumulation::Depths,
+                    Accumulation::Remainder,
+                ],
+            ),
             summation: Summation::Naive,
             stop: None,
         },
