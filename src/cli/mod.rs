@@ -74,7 +74,7 @@ const CLOSED_PIPE: u8 = 128 + 13;
 struct Arguments {
     /// Numbers side by side in the formats f32-lanes and f64-lanes: 1, 4, 8 or 16, as the processor has them [default: as
     /// many as it has]; results do not depend on it
-    #[arg(long, value_name = "COUNT", value_parser = Width::from_str)]
+    #[arg(long, global = true, value_name = "COUNT", value_parser = Width::from_str)]
     lanes: Option<Width>,
     #[command(subcommand)]
     command: Command,

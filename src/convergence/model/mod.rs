@@ -1,7 +1,7 @@
 //! A model of a method's error in a format: where roundoff overtakes discretization, and how good it can get.
 //!
 //! |e|² ≈ D(n)² + (cᵢ u n^qᵢ)² + (cₐ u n^qₐ)², with the discretization error D as measured and carried
-//! on by its order, and laws fitted to input and arithmetic rounding. It is a model: fitted where both
+//! on by its order, and laws fitted to input and arithmetic rounding, which no number of segments makes vanish. It is a model: fitted where both
 //! are seen, it tells of n and of formats that were not run.
 
 mod curve;
@@ -19,6 +19,10 @@ use serde::Serialize;
 const MOST_LOG2_SEGMENTS: f64 = 60.0;
 /// Steps a doubling of n in which they are looked for.
 const STEPS: u32 = 32;
+/// The least exponents with which rounding is carried on beyond the finest level: independent errors of n samples have −½ in
+/// their mean, and what arithmetic rounds last is rounded at every n. A few levels that scatter may show less.
+const LEAST_INPUT: f64 = -0.5;
+const LEAST_ARITHMETIC: f64 = 0.0;
 /// Most bits that a tolerance may need.
 const MOST_BITS: u32 = 1 << 20;
 
@@ -27,8 +31,9 @@ const MOST_BITS: u32 = 1 << 20;
 pub struct ErrorModel {
     bits: u32,
     discretization: Option<Curve>,
-    /// The coarsest level.
+    /// log₂ of the coarsest level and of the finest.
     first: f64,
+    last: f64,
     /// What became of rounding.
     pub laws: Laws,
 }
@@ -81,6 +86,7 @@ impl ErrorModel {
             bits,
             discretization: Curve::new(&points, order),
             first: splits.first().map_or(0.0, |(n, _)| (*n as f64).log2()),
+            last: splits.last().map_or(0.0, |(n, _)| (*n as f64).log2()),
             laws: Laws {
                 input: law(&|split| Some(split.input.clone())),
                 arithmetic: law(&|split| Some(split.arithmetic.clone())),
@@ -107,10 +113,16 @@ impl ErrorModel {
 
     /// The same of input and of arithmetic.
     fn rounding(&self, log2_n: f64, bits: f64) -> [f64; 2] {
-        let at = |law: Option<RoundoffLaw>| {
-            law.map_or(f64::NEG_INFINITY, |law| law.log2_at(log2_n, bits))
+        let beyond = (log2_n - self.last).max(0.0);
+        let at = |law: Option<RoundoffLaw>, least: f64| {
+            law.map_or(f64::NEG_INFINITY, |law| {
+                law.log2_at(log2_n - beyond, bits) + beyond * law.exponent.max(least)
+            })
         };
-        [at(self.laws.input), at(self.laws.arithmetic)]
+        [
+            at(self.laws.input, LEAST_INPUT),
+            at(self.laws.arithmetic, LEAST_ARITHMETIC),
+        ]
     }
 
     /// log₂ of the whole error in the format, as a root mean square.

@@ -126,6 +126,27 @@ fn a_method_without_one_of_the_parts_has_no_crossing() {
     );
 }
 
+/// A few levels whose arithmetic rounding happens to fall promise nothing beyond them: what is rounded last is there at every n.
+/// Independent errors of inputs do fall, as n^(−1/2).
+#[test]
+fn rounding_does_not_vanish_beyond_the_finest_level() {
+    let falling = |input: f64, arithmetic: f64| {
+        let splits: Vec<(u64, Split)> = (3..=8)
+            .map(|k| {
+                let n = f64::from(1 << k);
+                (1_u64 << k, level(n.powi(-4), input / n, arithmetic / n))
+            })
+            .collect();
+        let splits: Vec<(u64, &Split)> = splits.iter().map(|(n, split)| (*n, split)).collect();
+        ErrorModel::new(&splits, BITS, Some(4.0))
+    };
+    let best = falling(0.0, 1e-6).best().unwrap();
+    assert!((best.log2_error - (1e-6_f64.log2() - 8.0)).abs() < 0.01);
+    let inputs = falling(1e-6, 0.0);
+    let far = inputs.log2_rounding(28.0, f64::from(BITS));
+    assert!((far - (1e-6_f64.log2() - 8.0 - 10.0)).abs() < 0.01);
+}
+
 /// What the oracle's own rounding may hide is no data.
 #[test]
 fn errors_below_the_resolution_are_left_out() {
