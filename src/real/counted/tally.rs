@@ -103,6 +103,7 @@ impl Counts {
     }
 
     /// These after as many more steps as led from `before` to here; `None` where they fell, or beyond 2⁶⁴.
+    #[cfg(feature = "studies")]
     pub(crate) fn carried_on(&self, before: &Counts, steps: u64) -> Option<Counts> {
         let mut carried = Counts::default();
         for (carried, (now, before)) in carried
