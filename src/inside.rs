@@ -62,7 +62,7 @@ pub mod study {
 
     /// Inside [`verify`](crate::study::verify).
     pub mod verify {
-        pub use crate::study::verify::peers::methods;
+        pub use crate::study::verify::of_order::methods;
         pub use crate::study::verify::standing::{Judged, of};
     }
 }

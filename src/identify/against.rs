@@ -3,7 +3,8 @@
 use super::holdout::{self, Terms};
 use super::part::{Stated, parts};
 use super::ray::Ray;
-use super::session::{Budget, Session, Silence, Spent};
+use super::session::{Budget, Session, Spent};
+use super::silence::Silence;
 use super::weights::Answers;
 use super::witness::{AgainstKernel, Nodes, Witness, search};
 use super::{Identification, Rule, VacuumFails};

@@ -1,7 +1,6 @@
 //! Whether channels are alike, and whose answer stands where.
 
 use super::NotIdentified;
-use super::output::sizes;
 use super::random::Random;
 use super::ray::{Emission, Layers};
 use super::rule::Channels;
@@ -12,6 +11,19 @@ use super::state::State;
 pub(super) const EXTINCTION: f64 = 0.5;
 /// Their length in segments: loops unrolled by 16 or 3 take all of them.
 pub(super) const SEGMENTS: usize = 48;
+
+/// 63 sizes from 2⁻²⁰ to 2¹², more of them about 1, in a random order.
+pub(super) fn sizes() -> Vec<f64> {
+    let mut sizes = vec![0.0];
+    sizes.extend((-20..=12).map(|k| f64::from(k).exp2()));
+    sizes.extend((0..29).map(|k| 0.03 + f64::from(k) * 0.085));
+    let mut random = Random::new(7);
+    for k in (1..sizes.len()).rev() {
+        let other = random.integer(0, k);
+        sizes.swap(k, other);
+    }
+    sizes
+}
 
 /// An even medium.
 pub(super) fn even(session: &Session<'_>) -> Layers {

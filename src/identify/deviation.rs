@@ -2,11 +2,13 @@
 //! one that a kernel declares.
 
 use super::part::{Part, Stated, parts};
-use super::precision::INNER;
 use super::rule::{Law, Rule, Scale, Scheme, Segment};
 use super::state::{Batch, Name, Repeat, State};
 use super::{Bracket, Identification, Parameter, VacuumFails};
 use rug::Rational;
+
+/// The name of what is rounded on the way to an answer.
+pub(super) const INNER: &str = "inner-rounding";
 
 /// A part in which a rule deviates.
 #[derive(Clone, Debug, PartialEq)]

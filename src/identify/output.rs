@@ -1,9 +1,8 @@
 //! The map from radiance to answer, by emissions of many sizes that are the same everywhere.
 
-use super::channels::{constants, even};
+use super::channels::{constants, even, sizes};
 use super::number::simplest_near;
 use super::precision::Precision;
-use super::random::Random;
 use super::ray::{Emission, Layers};
 use super::rule::{Curve, Output};
 use super::session::Session;
@@ -35,19 +34,6 @@ const CHANGES: f64 = 0.25;
 const SUBNORMAL: f64 = 2e-5;
 /// Scatter without a trend up to this is noise.
 const MOST_SCATTER: f64 = 1e-3;
-
-/// 63 sizes from 2⁻²⁰ to 2¹², more of them about 1, in a random order.
-pub(super) fn sizes() -> Vec<f64> {
-    let mut sizes = vec![0.0];
-    sizes.extend((-20..=12).map(|k| f64::from(k).exp2()));
-    sizes.extend((0..29).map(|k| 0.03 + f64::from(k) * 0.085));
-    let mut random = Random::new(7);
-    for k in (1..sizes.len()).rev() {
-        let other = random.integer(0, k);
-        sizes.swap(k, other);
-    }
-    sizes
-}
 
 /// (C, y) in ascending order, clipped ones left out.
 struct Curved {

@@ -1,7 +1,7 @@
 //! How many digits answers have.
 
 use super::Identification;
-use super::deviation::Deviation;
+use super::deviation::{Deviation, INNER};
 use super::opacity::ROUNDINGS;
 use crate::kernel::Declaration;
 use crate::real::FormatName;
@@ -28,8 +28,6 @@ const NEAR: f64 = 1.0 / 8.0;
 /// Fewer answers tell no digits apart from chance.
 const FEWEST: usize = 8;
 const DOUBLE: u32 = 53;
-/// The name of what is rounded on the way to an answer.
-pub(super) const INNER: &str = "inner-rounding";
 
 impl Precision {
     /// Of those answers; binary64 where nothing narrower holds them all.

@@ -1,8 +1,7 @@
 //! Rays that ask.
 
-use super::pose::{at, plain};
 use super::rule::Node;
-use crate::kernel::{Data, Medium, Samples, Segments, Task};
+use crate::kernel::{Data, Samples, Segments, Task};
 use rug::Rational;
 
 /// The extinctions of a ray cut into segments.
@@ -166,23 +165,5 @@ impl Ray {
             },
             ..self.clone()
         }
-    }
-}
-
-impl Medium for Ray {
-    fn name(&self) -> &str {
-        &self.name
-    }
-
-    fn channels(&self) -> &[String] {
-        &self.channels
-    }
-
-    fn length(&self) -> &Rational {
-        &self.length
-    }
-
-    fn at(&self, lambda: f64, emission: &mut [f64]) -> f64 {
-        at(&plain(self), lambda, emission)
     }
 }

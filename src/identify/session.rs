@@ -3,6 +3,7 @@
 use super::pose::{Made, Pose, Posed};
 use super::ray::{Emission, Layers, Ray};
 use super::rule::Channels;
+use super::silence::Silence;
 use crate::kernel::{Gradient, GradientAt, Kernel, KernelError, Rendering, Task};
 use std::num::NonZeroUsize;
 use std::ops::Range;
@@ -40,34 +41,6 @@ pub struct Spent {
     pub longest: u64,
     /// Rays without an answer.
     pub unanswered: u64,
-}
-
-/// Why there is no answer to a ray.
-#[derive(Clone, Debug, PartialEq, thiserror::Error)]
-pub enum Silence {
-    /// The budget is spent.
-    #[error("the budget of {0} is spent")]
-    Budget(String),
-    /// The kernel gave none.
-    #[error("no answer to a ray of {segments} segments: {error}")]
-    Kernel {
-        /// Of how many segments.
-        segments: usize,
-        /// Why.
-        error: KernelError,
-    },
-    /// It is not a number.
-    #[error("an answer to a ray of {segments} segments is not finite")]
-    NotFinite {
-        /// Of how many segments.
-        segments: usize,
-    },
-    /// It takes no rays of so many samples.
-    #[error("it takes fewer than {segments} samples")]
-    TooMany {
-        /// How many were wanted.
-        segments: usize,
-    },
 }
 
 /// Fewer rays than this are for the first questions only.

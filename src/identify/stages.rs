@@ -37,7 +37,7 @@ pub(super) fn run(
     found.parts.noise = noise;
     found.state = Some(state.clone());
     // In order among 63 they are in order among three: where there are few rays, the ray of the output's map says both.
-    let is_one_ray = session.width() >= output::sizes().len();
+    let is_one_ray = session.width() >= channels::sizes().len();
     let asked = if session.is_short() && is_one_ray && noise == 0.0 && !state.seed {
         channels::in_order(session)
     } else {

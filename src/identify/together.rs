@@ -3,7 +3,8 @@
 use super::deviation::{Deviation, drifts, of_batch};
 use super::random::Random;
 use super::ray::{Emission, Layers, Ray};
-use super::session::{Budget, Session, Silence, Spent};
+use super::session::{Budget, Session, Spent};
+use super::silence::Silence;
 use super::state::{Batch, shared};
 use crate::kernel::{Kernel, KernelError, Rendering};
 use rug::Float;

@@ -3,7 +3,8 @@
 use super::NotIdentified;
 use super::ray::{Emission, Layers, Ray};
 use super::rule::{Node, Output, Place};
-use super::session::{Session, Silence};
+use super::session::Session;
+use super::silence::Silence;
 
 /// A number, and how far it may be off.
 #[derive(Clone, Copy, Debug, PartialEq)]

@@ -6,6 +6,7 @@ mod last;
 mod lone;
 mod stop;
 mod sum;
+mod trial;
 mod vacuum;
 mod wall;
 

@@ -1,7 +1,7 @@
 //! Rays that end where what samples weigh by themselves sums to a threshold.
 
 use super::Lone;
-use super::stop::{Early, Trial, simplest_threshold, trial};
+use super::trial::{Early, Trial, simplest_threshold, trial};
 use crate::identify::NotIdentified;
 use crate::identify::rule::{End, Stop, StopBy};
 use crate::identify::session::Session;

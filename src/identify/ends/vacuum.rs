@@ -4,7 +4,8 @@ use crate::identify::NotIdentified;
 use crate::identify::number::simplest;
 use crate::identify::opacity::measure::Measurer;
 use crate::identify::ray::{Emission, Layers};
-use crate::identify::session::{Session, Silence};
+use crate::identify::session::Session;
+use crate::identify::silence::Silence;
 
 /// What empty segments do.
 #[derive(Clone, Debug, Default)]

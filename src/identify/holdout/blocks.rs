@@ -5,7 +5,8 @@ use super::ray::ray;
 use super::{Kind, Miss, Terms, ask_one};
 use crate::identify::random::Random;
 use crate::identify::rule::{Blocks, Rule, Seam};
-use crate::identify::session::{Session, Silence};
+use crate::identify::session::Session;
+use crate::identify::silence::Silence;
 
 /// The longest ray, and one of the many whose lengths were not counted.
 const LONGEST: u64 = 2_000;

@@ -5,7 +5,8 @@ use super::ray::ray;
 use super::{Kind, Miss, Terms, ask_one};
 use crate::identify::random::Random;
 use crate::identify::rule::Rule;
-use crate::identify::session::{Session, Silence};
+use crate::identify::session::Session;
+use crate::identify::silence::Silence;
 use crate::real::Native;
 
 /// How near to its early end a ray is made to come.

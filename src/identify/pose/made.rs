@@ -2,10 +2,11 @@
 
 use super::code::source;
 use super::profile;
+use super::steps::Steps;
 use crate::identify::ray::Ray;
 use crate::identify::rule::Lattice;
-use crate::identify::session::Silence;
-use crate::identify::volume::{Optics, tabulated};
+use crate::identify::silence::Silence;
+use crate::identify::volume::optics::{Optics, tabulated};
 use crate::kernel::{Data, FormKind, Formula, Medium, Samples, Task, Volume};
 use crate::real::{Format, Native};
 use rug::Rational;
@@ -46,17 +47,6 @@ enum Shape {
     Function(Samples),
     Formula(Samples, Formula),
     Volume(Volume),
-}
-
-/// How a ray is cut.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub(in crate::identify) struct Steps {
-    /// D.
-    pub(in crate::identify) length: f64,
-    /// d.
-    pub(in crate::identify) step: f64,
-    /// n.
-    pub(in crate::identify) segments: usize,
 }
 
 impl Made {
@@ -195,16 +185,6 @@ impl Made {
                 Shape::Formula(_, formula) => Data::Formula(formula),
                 Shape::Volume(volume) => Data::Volume(volume),
             },
-        }
-    }
-}
-
-impl Steps {
-    pub(in crate::identify) fn of(ray: &Ray) -> Self {
-        Steps {
-            length: ray.segments.edges.lambda.last().copied().unwrap_or(0.0),
-            step: ray.step,
-            segments: ray.segments.count(),
         }
     }
 }

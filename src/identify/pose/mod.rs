@@ -2,17 +2,19 @@
 
 mod code;
 mod made;
-mod profile;
+pub(super) mod profile;
 mod spread;
+pub(super) mod steps;
 
-pub(super) use made::{Made, Posed, Steps};
+pub(super) use made::{Made, Posed};
 pub(super) use profile::{at, hats, plain};
 pub(super) use spread::Spread;
+pub(super) use steps::Steps;
 
 use super::ray::Ray;
 use super::rule::Lattice;
-use super::session::Silence;
-use super::volume::Optics;
+use super::silence::Silence;
+use super::volume::optics::Optics;
 use crate::kernel::FormKind;
 
 /// In what form a kernel is asked, and what is known of the places where it looks.

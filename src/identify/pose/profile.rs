@@ -1,7 +1,8 @@
 //! C and τ as functions of λ: linear between knots, and constant before the first and behind the last.
 
 use crate::identify::ray::Ray;
-use crate::kernel::Samples;
+use crate::kernel::{Medium, Samples};
+use rug::Rational;
 
 /// Half the width around a node in which values do not change, in halves of a segment: whoever computes λ with rounding
 /// errors, also in binary32, sees the node's value.
@@ -82,5 +83,24 @@ pub(in crate::identify) fn hats(
         emission: std::iter::once(vec![0.0; count])
             .chain((0..count).map(lit))
             .collect(),
+    }
+}
+
+/// A ray of segments is one of functions, too.
+impl Medium for Ray {
+    fn name(&self) -> &str {
+        &self.name
+    }
+
+    fn channels(&self) -> &[String] {
+        &self.channels
+    }
+
+    fn length(&self) -> &Rational {
+        &self.length
+    }
+
+    fn at(&self, lambda: f64, emission: &mut [f64]) -> f64 {
+        at(&plain(self), lambda, emission)
     }
 }

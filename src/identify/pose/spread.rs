@@ -2,7 +2,7 @@
 
 use crate::identify::ray::Ray;
 use crate::identify::rule::{Place, Seam};
-use crate::identify::session::Silence;
+use crate::identify::silence::Silence;
 use crate::kernel::Samples;
 use rug::Rational;
 

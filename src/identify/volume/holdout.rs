@@ -5,7 +5,8 @@ use crate::identify::holdout::{HoldOut, Kind, Terms, check_opacity, compare};
 use crate::identify::pose::{Made, Steps};
 use crate::identify::random::Random;
 use crate::identify::rule::Rule;
-use crate::identify::session::{Session, Silence};
+use crate::identify::session::Session;
+use crate::identify::silence::Silence;
 use crate::identify::weights::Answers;
 use crate::kernel::{Table, Volume};
 

@@ -3,7 +3,7 @@
 mod deviating;
 mod fit;
 mod holdout;
-mod optics;
+pub(super) mod optics;
 
 pub(super) use deviating::deviations;
 pub(super) use holdout::hold_out;

@@ -1,6 +1,7 @@
 //! How a kernel looks at a volume: where its samples lie, and what it reads of the grid and of the table.
 
-use crate::identify::pose::{Steps, at, hats, plain};
+use crate::identify::pose::profile::{at, hats, plain};
+use crate::identify::pose::steps::Steps;
 use crate::identify::ray::Ray;
 use crate::identify::rule::{Along, Lattice, plus};
 use crate::kernel::{Segments, Table, Volume};

@@ -1,14 +1,9 @@
 //! Which way a program goes on a part of the ray.
 
 use super::number::Number;
-use super::run::{Registers, Run};
+use super::run::{Branches, Registers, Run};
 use crate::symbolic::{Function, Interval, Operand, Operation, Program, Relation};
 use std::collections::BTreeMap;
-
-/// For every instruction the way it takes: whether |x| is x, a minimum or maximum its first, a choice its `then`.
-/// `None` where there is nothing to choose, or where what is chosen is not needed.
-#[derive(Clone, Debug, PartialEq, Eq, Hash)]
-pub(super) struct Branches(pub(super) Vec<Option<bool>>);
 
 /// What is known of a program on a panel.
 pub(super) enum Taken {

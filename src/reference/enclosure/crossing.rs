@@ -1,10 +1,10 @@
 //! Where the two sides of a comparison change places: by Newton's method in intervals, on parts of the ray where their
 //! difference is strictly monotone.
 
-use super::branches::{Branches, holds, sides};
+use super::branches::{holds, sides};
 use super::germ::Germ;
 use super::number::Number;
-use super::run::Run;
+use super::run::{Branches, Run};
 use super::substitution::{End, germs};
 use crate::symbolic::{Constant, Interval, Operand, Program, simplest_between};
 use rug::{Float, Rational};

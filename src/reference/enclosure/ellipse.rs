@@ -4,10 +4,9 @@
 //! from the polynomial that has its values at cos(πk/n). Source: Trefethen, *Approximation Theory and Approximation
 //! Practice* (2013), theorem 8.2.
 
-use super::branches::Branches;
 use super::number::Number;
 use super::rectangle::Rectangle;
-use super::run::constants;
+use super::run::{Branches, constants};
 use super::stretch::Stretch;
 use super::substitution::plain;
 use crate::symbolic::{Interval, Program};

@@ -1,10 +1,9 @@
 //! From panel to panel along the ray, all that is known of t and I in intervals.
 
 use super::super::chebyshev::log2_abs;
-use super::branches::Branches;
 use super::ellipse::{Bound, Bounds};
 use super::number::exp;
-use super::run::{constants, hull, run};
+use super::run::{Branches, constants, hull, run};
 use super::stretch::Stretch;
 use super::substitution::plain;
 use super::transform::Points;

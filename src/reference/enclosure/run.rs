@@ -1,12 +1,16 @@
 //! Programs run on sets of numbers, their branches known.
 
-use super::branches::Branches;
 use super::germ::Germ;
 use super::number::{Number, Plane};
 use super::rectangle::Rectangle;
 use crate::symbolic::{
     Constant, Function, Instruction, Interval, Operand, Operation, Program, Relation,
 };
+
+/// For every instruction the way it takes: whether |x| is x, a minimum or maximum its first, a choice its `then`.
+/// `None` where there is nothing to choose, or where what is chosen is not needed.
+#[derive(Clone, Debug, PartialEq, Eq, Hash)]
+pub(super) struct Branches(pub(super) Vec<Option<bool>>);
 
 /// What registers hold, nothing where an operation may not be defined.
 #[derive(Clone, Debug)]

@@ -1,8 +1,9 @@
 //! The ray cut where the program takes another way, and where it is not analytic: what is left goes one way each, and
 //! is analytic between its ends and, in the right variable, at them.
 
-use super::branches::{Branches, Taken, branches};
+use super::branches::{Taken, branches};
 use super::crossing::{Comparison, Crossing, ROUGH_BITS};
+use super::run::Branches;
 use super::substitution::{End, Substitution};
 use crate::symbolic::{Interval, Program};
 use rug::{Float, Rational};

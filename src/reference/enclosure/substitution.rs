@@ -4,11 +4,10 @@
 //! What it is there is told by [germs](super::germ) at v = 0; further on by the program itself. It goes from the front
 //! to the back: u = v behind a and u = −v in front of it.
 
-use super::branches::Branches;
 use super::germ::{Germ, power};
 use super::number::{Number, Plane};
 use super::rectangle::Rectangle;
-use super::run::{Run, constants, run};
+use super::run::{Branches, Run, constants, run};
 use crate::symbolic::{Constant, Interval, Operand, Program};
 use rug::{Float, Rational};
 

@@ -1,6 +1,6 @@
 //! What a kernel computes, how that deviates, what it does to errors, and a ray that shows it.
 
-use super::words::NONE;
+use super::empty::NONE;
 use crate::convergence::Verdict;
 use crate::document::{Block, Finding, Medium, Tone};
 use crate::identify::Deviation;

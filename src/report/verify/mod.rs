@@ -1,6 +1,7 @@
 //! A kernel put to the test: rows as they come, what they say in all, JSON, `JUnit` XML.
 
 mod answers;
+mod empty;
 mod identified;
 #[cfg(feature = "studies")]
 mod json;

@@ -1,6 +1,6 @@
 //! The words for a kernel that draws random numbers: its error has two parts.
 
-use super::words::NONE;
+use super::empty::NONE;
 use crate::convergence::{ErrorPart, OrderInterval, StochasticFit};
 
 /// What the letters in a row of a terminal mean.

@@ -1,6 +1,6 @@
 //! Many rays in one request, in words.
 
-use super::words::NONE;
+use super::empty::NONE;
 use crate::document::{Finding, Tone};
 use crate::identify::{Apart, Together};
 use crate::kernel::{KernelError, Quantity, Rendering};

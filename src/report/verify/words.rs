@@ -1,5 +1,6 @@
 //! The words that the reports of a verification share.
 
+use super::empty::NONE;
 use super::scattered;
 use crate::document::{Finding, Tone};
 use crate::kernel::Quantity;
@@ -9,9 +10,6 @@ use crate::study::verify::{
     Verification,
 };
 use std::collections::BTreeMap;
-
-/// What stands where there is no figure.
-pub(super) const NONE: &str = "-";
 
 /// What the signs in front of rows mean.
 pub(super) const SIGNS: &str = "✓ confirmed, ✗ contradicted, ? inconclusive, · blind, ! failed";

@@ -1,61 +1,14 @@
 //! The methods of an order, on the levels that a kernel was asked: what all of them show can be seen there, and what none of
 //! them does is the kernel's own.
 
-use crate::convergence::{FitError, Sample, Verdict, fit};
-use crate::method::{Expected, Method, MethodError};
+use super::peer::Peer;
+use crate::convergence::{FitError, Sample, Verdict};
+use crate::method::{Expected, MethodError};
 use crate::parallel;
 use crate::real::FormatName;
 use crate::study::verify::asked::Run;
 use crate::study::verify::remark::Seen;
 use rug::Float;
-
-/// Methods by their order: those that renderers use and textbooks have, each with another leading error.
-const METHODS: [(f64, &[&str]); 4] = [
-    (
-        1.0,
-        &[
-            "front-to-back/front/expm1",
-            "front-to-back/back/expm1",
-            "riemann-left/riemann-left",
-        ],
-    ),
-    (
-        2.0,
-        &[
-            "front-to-back/middle/expm1",
-            "trapezoid/trapezoid",
-            "midpoint/midpoint",
-        ],
-    ),
-    (4.0, &["simpson/simpson", "gauss-2/gauss-2"]),
-    (6.0, &["boole/boole", "gauss-3/gauss-3"]),
-];
-
-/// The methods of that order; none where there is none.
-#[must_use]
-pub fn methods(order: f64) -> Vec<Method> {
-    let names = METHODS
-        .iter()
-        .find(|(own, _)| (own - order).abs() < f64::EPSILON);
-    let names = names.map_or(&[][..], |(_, names)| names);
-    names.iter().filter_map(|name| name.parse().ok()).collect()
-}
-
-/// A method on the levels of a kernel.
-#[derive(Clone, Debug)]
-pub(super) struct Peer {
-    /// Its signed errors.
-    pub(super) samples: Vec<Sample>,
-    /// What they say of the order expected.
-    verdict: Verdict,
-}
-
-impl Peer {
-    fn new(samples: Vec<Sample>, expected: Option<Expected>) -> Result<Peer, FitError> {
-        let verdict = fit(&samples, expected)?.verdict;
-        Ok(Peer { samples, verdict })
-    }
-}
 
 /// What a kernel is measured by.
 #[derive(Clone, Debug)]

@@ -1,7 +1,7 @@
 //! What is visibly wrong with errors, whatever their order is.
 
 use super::line::part_of;
-use super::peers::Peer;
+use super::peer::Peer;
 use crate::convergence::verdict::NO_CONVERGENCE;
 use crate::convergence::{FLOOR_MARGIN, Sample};
 use crate::kernel::Quantity;

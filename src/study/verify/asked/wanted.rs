@@ -17,7 +17,7 @@ use crate::method::{Compositing, Inner, Method, MethodError, OpacityFormula, Pos
 use crate::quadrature::Rule;
 use crate::real::{Format, FormatName, Real, WithFormat};
 use crate::study::verify::VerifyError;
-use crate::study::verify::peers;
+use crate::study::verify::of_order;
 use crate::symbolic::Expr;
 use rug::{Float, Rational};
 
@@ -164,7 +164,10 @@ impl Wanted {
                 behind: self.background,
             })
         };
-        peers::methods(order).into_iter().filter_map(run).collect()
+        of_order::methods(order)
+            .into_iter()
+            .filter_map(run)
+            .collect()
     }
 
     /// Methods of that order, each run on a number of segments in a format.
@@ -176,7 +179,7 @@ impl Wanted {
                 .map(|rule| Run::Depth(&self.case, Inner::PerSegment(rule)))
                 .collect();
         }
-        let methods = peers::methods(order).into_iter();
+        let methods = of_order::methods(order).into_iter();
         let run = |method| match &self.even {
             Some(even) => Run::Divided(&self.case, even, method),
             None => Run::Radiance(&self.case, method, self.background),

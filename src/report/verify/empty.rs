@@ -1,0 +1,4 @@
+//! Cells without a figure.
+
+/// What stands where there is no figure.
+pub(super) const NONE: &str = "-";
