@@ -3,7 +3,7 @@
 # Expected: the samples taken are fixed by the factor (the middle of each block), an odd factor's are true middles, and
 #   the origin is where the first of them lay; one more sample at the far end changes nothing in front.
 # Does: the origin is set so that old and new image have one centre, and the samples are those nearest after rounding: so
-#   which ones are taken depends on the size, and for every second size values and coordinates are half a fine voxel
+#   which ones are taken depends on the size, and for half or a third of all sizes values and coordinates are half a voxel
 #   apart, for odd factors too. BinShrink has 0 throughout.
 # Seen: ramp f(x) = x, factor 3, sizes 9 to 14: first sample 1 2 2 1 2 2, value less coordinate 0 0.5 0 0 0.5 0;
 #   factor 2: first sample 1 throughout, 0 at odd sizes, 0.5 at even sizes.
