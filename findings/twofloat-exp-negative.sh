@@ -1,21 +1,14 @@
 #!/usr/bin/env bash
-# twofloat 0.8.4 (crate, numbers as sums of two f64, some 106 bits): exp of a negative number, which is what
-# every transmittance is, can have fewer right digits than plain f64 has.
-#
-# Expected: exp(-d) at least as good as f64's (1e-16), more likely near 1e-30; the same for -d as for d, as both
-#   are reduced to |r| <= ln(2)/2 before the polynomial.
-# Found: 1/exp(d) agrees with f64 to its last bit. exp(-d) is off by up to 1.7e-11, a hundred thousand roundings of
-#   f64: negative numbers are not rounded to the nearest multiple of ln(2) but to the next one towards 0, so that
-#   r lies in [-1.5 ln(2), -0.5 ln(2)], all of it outside the polynomial's interval, for every d > 0.35. The error
-#   grows with |r|: worst where d/ln(2) is just below a half-integer (0.96, 1.72, 5.19), within f64's just above
-#   it (1.05, 5.21). The high word is wrong itself, and nothing is reported. exp_m1 below -ln(2) inherits it.
-# So: transmittances as 1/exp(d); exp(-d) of this crate is no oracle for binary64. It also jumps by 1.7e-11 where
-#   d/ln(2) passes a half-integer.
-# Seen (2026-12-01), against f64's exp(-d):
-#   d = 0.96: exp(-d) off by 4.7e-12, 1/exp(d) equal; 2000 depths 0.01 ... 60: worst 1.7e-11 and 2.2e-16;
-#   more than 1e-15 off: 726 of them and 0, all with |r| > 0.7 ln(2); exp_m1(-0.96) off by 2.9e-12
-#
-# Needs cargo. Exits 0 while this is so, 1 once it changes.
+# twofloat 0.8.4 (crate, numbers as sums of two f64, some 106 bits): exp of a negative number, as every transmittance is, has
+# fewer right digits than plain f64.
+# Expected: exp(-d) as good as exp(d), at least f64's 1e-16: both are reduced to |r| <= ln(2)/2 before the polynomial.
+# Seen (2026-12-01), against f64's exp(-d): d = 0.96: exp(-d) off by 4.7e-12, 1/exp(d) equal; 2000 depths 0.01 ... 60: worst
+#   1.7e-11 and 2.2e-16; more than 1e-15 off: 726 of them and 0, all with |r| > 0.7 ln(2); exp_m1(-0.96) off by 2.9e-12.
+# Does: negative numbers go to the next multiple of ln(2) towards 0, not the nearest, so that r lies in [-1.5 ln(2),
+#   -0.5 ln(2)], outside the polynomial's interval, for every d > 0.35. Worst where d/ln(2) is just below a half-integer (0.96,
+#   1.72, 5.19), where it jumps; within f64's just above it (1.05, 5.21). The high word itself is wrong; exp_m1 inherits it.
+# So: transmittances as 1/exp(d); exp(-d) of this crate is no oracle for binary64.
+# Needs cargo. Exits 0 while this is so, 1 once it changes. Date: 2026-12-01
 set -euo pipefail
 tmp=$(mktemp -d)
 trap 'rm -rf "$tmp"' EXIT

@@ -7,17 +7,13 @@
 #![allow(missing_docs, unsafe_code, clippy::expect_used, clippy::inline_always)]
 
 use libloading::Library;
-use rustix::time::{ClockId, clock_gettime};
-use std::hint::black_box;
-use std::path::Path;
-use std::process::Command;
 use volver::case::manufacture::manufacture;
 use volver::case::{Fresh, Transfer, catalogue};
 use volver::method::{Method, RayMedium, composite_given, radiances};
 use volver::real::Native;
 use volver::real::lanes::{LaneFloat, LaneFormat, Lanes, Width};
+use volver_benches::{Compared, compiled, seconds};
 
-const ROUNDS: usize = 15;
 /// Rays, and segments of each.
 const RAYS: usize = 256;
 const SEGMENTS: usize = 512;
@@ -45,7 +41,7 @@ impl<T: LaneFloat> RayMedium<T> for Medium<T> {
 
 fn main() {
     let folder = tempfile::tempdir().expect("a folder");
-    let library = compiled(folder.path());
+    let library = compiled("lanes/lanes.c", folder.path());
     println!(
         "what                                        width   ns a sample, and of its peer; ratio (quartiles)"
     );
@@ -194,29 +190,6 @@ fn agree(ours: &[f64], theirs: &[f64], same: f64) {
     }
 }
 
-fn compiled(folder: &Path) -> Library {
-    let source = concat!(env!("CARGO_MANIFEST_DIR"), "/lanes/lanes.c");
-    let library = folder.join("lanes.so");
-    let compiler = Command::new("cc")
-        .args([
-            "-O3",
-            "-march=native",
-            "-ffp-contract=off",
-            "-shared",
-            "-fPIC",
-            "-o",
-        ])
-        .args([library.as_path(), Path::new(source)])
-        .arg("-lm")
-        .status();
-    assert!(
-        compiler.expect("a C compiler, cc").success(),
-        "{source} is compiled"
-    );
-    // SAFETY: nothing runs when it is loaded.
-    unsafe { Library::new(&library) }.expect("a shared library")
-}
-
 fn compare<A, B>(
     what: &str,
     width: Width,
@@ -224,32 +197,12 @@ fn compare<A, B>(
     ours: impl Fn() -> A,
     theirs: impl Fn() -> B,
 ) {
-    let rounds: Vec<(f64, f64)> = (0..ROUNDS)
-        .map(|_| (seconds(&ours), seconds(&theirs)))
-        .collect();
-    let quartiles = |values: Vec<f64>| {
-        let mut values = values;
-        values.sort_by(f64::total_cmp);
-        [1, 2, 3].map(|k| values[k * (ROUNDS - 1) / 4])
-    };
-    let [_, own, _] = quartiles(rounds.iter().map(|round| round.0).collect());
-    let [_, other, _] = quartiles(rounds.iter().map(|round| round.1).collect());
-    let [low, ratio, high] = quartiles(rounds.iter().map(|(own, other)| own / other).collect());
+    let Compared { own, other, ratio } = Compared::new(|| seconds(&ours), || seconds(&theirs));
+    let [low, ratio, high] = ratio;
     let nanoseconds = 1e9 / samples as f64;
     println!(
         "{what:44}{width:>4}   {:7.3} {:7.3}  {ratio:.3} ({low:.3} to {high:.3})",
         own * nanoseconds,
         other * nanoseconds,
     );
-}
-
-/// What the processor has worked for it.
-fn seconds<A>(work: impl Fn() -> A) -> f64 {
-    let now = || {
-        let time = clock_gettime(ClockId::ThreadCPUTime);
-        time.tv_sec as f64 + time.tv_nsec as f64 * 1e-9
-    };
-    let start = now();
-    black_box(work());
-    now() - start
 }

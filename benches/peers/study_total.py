@@ -1,10 +1,11 @@
 """The table of `volver study --errors total` by hand: 20 pairs of nested rules on C = sin s^2, tau = s cos s^2 over 10 levels.
 
-usage: study_total.py flint|numpy shared|alone [DIGITS] [values]
+usage: study_total.py flint|numpy shared|alone [DIGITS] [values] [groups]
 
 shared: every node of the finest level and every exponential of an inner rule once; alone: each method and level by itself.
 Prints nothing, or with `values` a line for each inner rule, outer rule and n with the error. python-flint's balls stand for
-numbers of DIGITS digits and 12 more.
+numbers of DIGITS digits and 12 more. With `groups` (shared) the rules of higher order are those over groups of segments, which
+look at boundaries alone.
 """
 import sys
 
@@ -19,6 +20,16 @@ INNER = {
     "simpson": ([0, 2, 4], [(1, 6), (4, 6), (1, 6)]),
     "boole": ([0, 1, 2, 3, 4], [(7, 90), (32, 90), (12, 90), (32, 90), (7, 90)]),
 }
+# Rules over groups of segments: a denominator, and for every boundary of a group the weights of its values up to there.
+GROUPS = {
+    "simpson-pairs-parabola": (12, [[5, 8, -1], [4, 16, 4]]),
+    "boole-fours": (720, [[251, 646, -264, 106, -19], [232, 992, 192, 32, -8], [243, 918, 648, 378, -27], [224, 1024, 384, 1024, 224]]),
+}
+# Places that a segment is divided by.
+PARTS = 4
+if "groups" in sys.argv:
+    PARTS = 1
+    INNER = {rule: ([place // 4 for place in places], weights) for rule, (places, weights) in INNER.items() if set(places) <= {0, 4}}
 
 if library == "flint":
     from flint import arb, ctx
@@ -34,11 +45,19 @@ if library == "flint":
         return [c for c, _ in values], [t for _, t in values]
 
     def depths(tau, rule, n):
-        """tau at quarters of segments -> depth at boundaries."""
+        """tau at places of segments -> depth at boundaries."""
+        depth, found = arb(0), [arb(0)]
+        if rule in GROUPS:
+            denominator, rows = GROUPS[rule]
+            rows = [[arb(weight) / denominator / n for weight in row] for row in rows]
+            for j in range(0, n, len(rows)):
+                front = found[-1]
+                for row in rows:
+                    found.append(front + sum((w * tau[j + k] for k, w in enumerate(row)), arb(0)))
+            return found
         places, weights = INNER[rule]
         weights = [arb(p) / q / n for p, q in weights]
-        depth, found = arb(0), [arb(0)]
-        for j in range(0, 4 * n, 4):
+        for j in range(0, PARTS * n, PARTS):
             for place, weight in zip(places, weights):
                 depth += tau[j + place] * weight
             found.append(depth)
@@ -67,8 +86,15 @@ else:
         return np.sin(s * s), s * np.cos(s * s)
 
     def depths(tau, rule, n):
+        if rule in GROUPS:
+            denominator, rows = GROUPS[rule]
+            size = len(rows)
+            values = [tau[k : k + n - size + 1 : size] for k in range(size + 1)]
+            parts = [sum((w / denominator / n) * value for w, value in zip(row, values)) for row in rows]
+            fronts = np.concatenate(([0.0], np.cumsum(parts[-1])[:-1]))
+            return np.concatenate(([0.0], np.stack([fronts + part for part in parts], axis=1).ravel()))
         places, weights = INNER[rule]
-        segments = sum((p / q / n) * tau[place : place + 4 * n - 3 : 4] for place, (p, q) in zip(places, weights))
+        segments = sum((p / q / n) * tau[place : place + PARTS * n - PARTS + 1 : PARTS] for place, (p, q) in zip(places, weights))
         return np.concatenate(([0.0], np.cumsum(segments)))
 
     def attenuate(source, depth):
@@ -96,13 +122,13 @@ OUTER = {
 
 def shared():
     table = {}
-    finest = 4 * LEVELS[-1]
+    finest = PARTS * LEVELS[-1]
     emission, extinction = evaluate(range(finest + 1), finest)
     for n in LEVELS:
-        stride = finest // (4 * n)
+        stride = finest // (PARTS * n)
         tau = extinction[::stride]
-        source = times(emission[:: 4 * stride], tau[::4])
-        for inner in INNER:
+        source = times(emission[:: PARTS * stride], tau[::PARTS])
+        for inner in [*INNER, *(GROUPS if PARTS == 1 else [])]:
             f = attenuate(source, depths(tau, inner, n))
             for outer, rule in OUTER.items():
                 table[inner, outer, n] = rule(f, n) - EXACT

@@ -1,22 +1,17 @@
 //! One ray in binary64 beside the same in C: a medium that is compiled in, and one by formulas as files have it.
 //!
 //! `ray.c` is compiled here by `cc -O3 -march=native`. Answers are compared first; then all are timed in turn, by the
-//! processor's clock of this process.
+//! processor's clock of this thread.
 
 #![allow(missing_docs, unsafe_code, clippy::expect_used)]
 
-use libloading::Library;
-use rustix::time::{ClockId, clock_gettime};
-use std::hint::black_box;
-use std::path::Path;
-use std::process::Command;
 use volver::case::manufacture::manufacture;
 use volver::case::{AnyNodes, Case, Fresh, SineSquared, catalogue};
 use volver::method::Method;
 use volver::real::Native;
+use volver_benches::{Compared, compiled, seconds};
 
 const SEGMENTS: u64 = 1 << 20;
-const ROUNDS: usize = 15;
 /// Sums of as many terms in another order.
 const SAME: f64 = 1e-12;
 
@@ -29,7 +24,7 @@ const METHODS: [(&str, &str); 4] = [
 
 fn main() {
     let folder = tempfile::tempdir().expect("a folder");
-    let library = compiled(folder.path());
+    let library = compiled("ray/ray.c", folder.path());
     let description = catalogue::find("sine-squared").expect("a case");
     let made = manufacture(&description.expect("a case")).expect("a case");
     let symbolic = &made.first().expect("a channel").case;
@@ -56,61 +51,18 @@ fn of_case<C: Case>(method: &Method, case: &C) -> f64 {
     .expect("a radiance")
 }
 
-fn compiled(folder: &Path) -> Library {
-    let source = concat!(env!("CARGO_MANIFEST_DIR"), "/ray/ray.c");
-    let library = folder.join("ray.so");
-    let compiler = Command::new("cc")
-        .args([
-            "-O3",
-            "-march=native",
-            "-ffp-contract=off",
-            "-shared",
-            "-fPIC",
-            "-o",
-        ])
-        .args([library.as_path(), Path::new(source)])
-        .arg("-lm")
-        .status();
-    assert!(
-        compiler.expect("a C compiler, cc").success(),
-        "{source} is compiled"
-    );
-    // SAFETY: nothing runs when it is loaded.
-    unsafe { Library::new(&library) }.expect("a shared library")
-}
-
 fn compare(medium: &str, method: &Method, ours: impl Fn() -> f64, theirs: impl Fn() -> f64) {
     let (own, other) = (ours(), theirs());
     assert!(
         (own - other).abs() <= SAME * other.abs(),
         "{method}: {own} and {other}"
     );
-    let mut rounds: Vec<(f64, f64)> = (0..ROUNDS)
-        .map(|_| (seconds(&ours), seconds(&theirs)))
-        .collect();
-    let quartiles = |values: Vec<f64>| {
-        let mut values = values;
-        values.sort_by(f64::total_cmp);
-        [1, 2, 3].map(|k| values[k * (ROUNDS - 1) / 4])
-    };
-    let [_, own, _] = quartiles(rounds.iter().map(|round| round.0).collect());
-    let [_, other, _] = quartiles(rounds.iter().map(|round| round.1).collect());
-    let [low, ratio, high] = quartiles(rounds.drain(..).map(|(own, other)| own / other).collect());
+    let Compared { own, other, ratio } = Compared::new(|| seconds(&ours), || seconds(&theirs));
+    let [low, ratio, high] = ratio;
     println!(
         "{medium:10} {:26} {:7.2} {:9.2}  {ratio:5.2} ({low:.2} to {high:.2})",
         method.name(),
         own * 1e3,
         other * 1e3,
     );
-}
-
-/// What the processor has worked for it.
-fn seconds(work: impl Fn() -> f64) -> f64 {
-    let now = || {
-        let time = clock_gettime(ClockId::ThreadCPUTime);
-        time.tv_sec as f64 + time.tv_nsec as f64 * 1e-9
-    };
-    let start = now();
-    black_box(work());
-    now() - start
 }

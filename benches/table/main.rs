@@ -7,15 +7,14 @@
 
 #![allow(missing_docs, clippy::expect_used, clippy::panic)]
 
-use rustix::time::{ClockId, clock_gettime};
 use std::env;
-use std::hint::black_box;
 use std::io::Write;
 use std::process::{Command, Stdio};
 use volver::case::manufacture::manufacture;
 use volver::case::{AnyNodes, Case, Shared, SineSquared, catalogue};
 use volver::method::{Level, Method};
 use volver::real::Native;
+use volver_benches::{Compared, quartiles, seconds};
 
 const INNER: [&str; 5] = [
     "riemann-left",
@@ -26,7 +25,6 @@ const INNER: [&str; 5] = [
 ];
 const OUTER: [&str; 4] = ["riemann-left", "trapezoid", "simpson", "boole"];
 const LEVELS: [u64; 10] = [4, 8, 16, 32, 64, 128, 256, 512, 1024, 2048];
-const ROUNDS: usize = 15;
 /// Tables in a round, whose median counts.
 const TABLES: usize = 21;
 /// Errors agree to so much.
@@ -83,21 +81,13 @@ fn compare(medium: &str, mut ours: impl FnMut() -> Vec<f64>) {
     for (ours, theirs) in ours().iter().zip(&theirs) {
         assert!((ours - theirs).abs() < SAME, "{ours} and {theirs}");
     }
-    let mut times = Vec::new();
-    for _ in 0..ROUNDS {
-        let mut taken: Vec<f64> = (0..TABLES).map(|_| seconds(&mut ours)).collect();
-        times.push((median(&mut taken), numpy().1));
-    }
-    let mut ours: Vec<f64> = times.iter().map(|time| time.0).collect();
-    let mut theirs: Vec<f64> = times.iter().map(|time| time.1).collect();
-    let mut ratios: Vec<f64> = times.iter().map(|time| time.0 / time.1).collect();
-    let (ours, theirs, ratio) = (median(&mut ours), median(&mut theirs), median(&mut ratios));
+    let own = || quartiles((0..TABLES).map(|_| seconds(&mut ours)).collect())[1];
+    let Compared { own, other, ratio } = Compared::new(own, || numpy().1);
+    let [low, ratio, high] = ratio;
     println!(
-        "{medium:9} {:6.3}  {:8.3}  {ratio:.2} ({:.2} to {:.2})",
-        1e3 * ours,
-        1e3 * theirs,
-        ratios[ROUNDS / 4],
-        ratios[ROUNDS - 1 - ROUNDS / 4],
+        "{medium:9} {:6.3}  {:8.3}  {ratio:.2} ({low:.2} to {high:.2})",
+        1e3 * own,
+        1e3 * other,
     );
 }
 
@@ -136,16 +126,4 @@ fn numpy() -> (Vec<f64>, f64) {
         .collect();
     let seconds = numbers.pop().expect("seconds");
     (numbers, seconds)
-}
-
-fn seconds<T>(mut work: impl FnMut() -> T) -> f64 {
-    let start = clock_gettime(ClockId::ProcessCPUTime);
-    black_box(work());
-    let end = clock_gettime(ClockId::ProcessCPUTime);
-    (end.tv_sec - start.tv_sec) as f64 + (end.tv_nsec - start.tv_nsec) as f64 * 1e-9
-}
-
-fn median(values: &mut [f64]) -> f64 {
-    values.sort_by(f64::total_cmp);
-    values[values.len() / 2]
 }

@@ -3,6 +3,7 @@
 mod any;
 mod fresh;
 pub(crate) mod grid;
+mod places;
 mod recorded;
 mod replayed;
 mod shared;
@@ -11,6 +12,7 @@ mod twice;
 pub use any::AnyNodes;
 pub(crate) use any::Rows;
 pub use fresh::Fresh;
+pub(crate) use places::Places;
 pub use recorded::{Recorded, Recording};
 pub use replayed::Replayed;
 pub use shared::Shared;

@@ -1,7 +1,7 @@
 //! Every request evaluated anew.
 
 use super::grid::Grid;
-use super::twice::Twice;
+use super::places::Places;
 use super::{Column, Nodes, ROW, in_rows};
 use crate::case::{Case, PolynomialTransfer, Structure, Transfer};
 use crate::real::{Format, row};
@@ -61,13 +61,6 @@ impl<'c, C: Case, F: Format> Fresh<'c, C, F> {
         self.evaluate(&row(places))
     }
 
-    /// D·(j + offset)/n, where that is no quotient of machine integers.
-    #[cold]
-    fn exact_place(&self, n: u64, offset: &Rational, j: u64) -> F::Real {
-        let part = Rational::from(offset + j) / n;
-        self.format.ratio(&(part * &self.length))
-    }
-
     pub(super) fn grid(&self, n: u64, offset: &Rational) -> Option<Grid> {
         Grid::new(&self.length, n, offset)
     }
@@ -76,22 +69,8 @@ impl<'c, C: Case, F: Format> Fresh<'c, C, F> {
     #[inline]
     fn places(&self, n: u64, offset: Rational, count: u64) -> impl Iterator<Item = F::Real> {
         self.count(count);
-        let grid = self.grid(n, &offset);
-        let twice = match &grid {
-            Some(_) => None,
-            None => Twice::new(&self.length, n, &offset),
-        };
-        (0..count).map(move |j| match (&grid, &twice) {
-            (Some(grid), _) => {
-                let (numerator, denominator) = grid.place(j);
-                self.format.fraction(numerator, denominator)
-            }
-            (None, Some(twice)) => {
-                let place = twice.place(self.format, j);
-                place.unwrap_or_else(|| self.exact_place(n, &offset, j))
-            }
-            (None, None) => self.exact_place(n, &offset, j),
-        })
+        let places = Places::new(&self.length, n, &offset);
+        (0..count).map(move |j| places.at(self.format, j))
     }
 
     /// C and τ at these places, one after the other.

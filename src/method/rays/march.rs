@@ -1,8 +1,7 @@
 //! One pass over some rays.
 
 use super::{RayMedium, Way};
-use crate::case::Transfer;
-use crate::case::nodes::grid::Grid;
+use crate::case::{Places, Transfer};
 use crate::method::{Accumulation, OpacityFormula, Position};
 use crate::real::lanes::{LaneFloat, LaneFormat, Lanes, WithLanes};
 use crate::real::{Format, row};
@@ -43,8 +42,8 @@ impl<T: LaneFloat> Ray<T> {
             way,
             n,
             step: step.0,
-            places: Places::new(length, n, offset),
-            middles: Places::new(length, n, half),
+            places: Places::new(length, n, &offset),
+            middles: Places::new(length, n, &half),
         }
     }
 }
@@ -52,38 +51,11 @@ impl<T: LaneFloat> Ray<T> {
 /// Places that are computed at once: no ray is kept.
 const BLOCK: u64 = 256;
 
-/// D·(j + offset)/n.
-struct Places {
-    grid: Option<Grid>,
-    first: Rational,
-    step: Rational,
-}
-
-impl Places {
-    fn new(length: &Rational, n: u64, offset: Rational) -> Self {
-        let step = Rational::from(length) / n;
-        Places {
-            grid: Grid::new(length, n, &offset),
-            first: offset * &step,
-            step,
-        }
-    }
-
-    /// The places from j on, rounded once: a block, or what is left of `count`.
-    #[inline(never)]
-    fn block<T: LaneFloat>(&self, j: u64, count: u64) -> Vec<T> {
-        let format = LaneFormat::<T>::new();
-        row((j..count.min(j + BLOCK)).map(|j| {
-            let place = match &self.grid {
-                Some(grid) => {
-                    let (numerator, denominator) = grid.place(j);
-                    format.fraction(numerator, denominator)
-                }
-                None => format.ratio(&(Rational::from(&self.step * j) + &self.first)),
-            };
-            place.0
-        }))
-    }
+/// The places from j on: a block, or what is left of `count`.
+#[inline(never)]
+fn block<T: LaneFloat>(places: &Places, j: u64, count: u64) -> Vec<T> {
+    let format = LaneFormat::<T>::new();
+    row((j..count.min(j + BLOCK)).map(|j| places.at(format, j).0))
 }
 
 /// Places whose exponentials are taken behind their media: shorter chains of operations, of which a processor does several at
@@ -135,9 +107,9 @@ fn nested<L: Lanes, M: RayMedium<L::Element>>(
     let mut sum = zero;
     let mut j = 0;
     while j <= ray.n {
-        let places = ray.places.block(j, ray.n + 1);
+        let places = block(&ray.places, j, ray.n + 1);
         let middles = if middle {
-            ray.middles.block(j, ray.n)
+            block(&ray.middles, j, ray.n)
         } else {
             Vec::new()
         };
@@ -189,7 +161,7 @@ fn composited<L: Lanes, M: RayMedium<L::Element>>(
     let (mut radiance, mut transmittance, mut depth) = (zero, one, zero);
     let mut j = 0;
     while j < ray.n {
-        for &lambda in &ray.places.block(j, ray.n) {
+        for &lambda in &block(&ray.places, j, ray.n) {
             let Transfer {
                 emission,
                 extinction,

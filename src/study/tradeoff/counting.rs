@@ -24,10 +24,9 @@ pub fn counts(case: &SymbolicCase, bits: u32, method: &Method, n: u64) -> Counts
         let (_, counts) = count(|| black_box(method.radiance(&nodes, n)));
         counts
     };
-    if n <= FEW || !repeats(case, method) {
+    let Some(first) = first_of_few(case, method, n) else {
         return whole(n);
-    }
-    let first = CYCLE + n % CYCLE;
+    };
     let [a, b, c] = [0, 1, 2].map(|i| whole(first + i * CYCLE));
     let carried = b.carried_on(&a, 1) == Some(c);
     let carried = carried.then(|| b.carried_on(&a, (n - first) / CYCLE - 1));
@@ -36,10 +35,13 @@ pub fn counts(case: &SymbolicCase, bits: u32, method: &Method, n: u64) -> Counts
 
 /// The segments that are run for the counts of n.
 pub(super) fn counted_segments(case: &SymbolicCase, method: &Method, n: u64) -> u64 {
-    if n <= FEW || !repeats(case, method) {
-        return n;
-    }
-    3 * (2 * CYCLE + n % CYCLE)
+    first_of_few(case, method, n).map_or(n, |first| 3 * (first + CYCLE))
+}
+
+/// The first of three runs of few segments that tell what one of n does, each a cycle longer than the one before; `None` where
+/// it is counted as it is.
+fn first_of_few(case: &SymbolicCase, method: &Method, n: u64) -> Option<u64> {
+    (n > FEW && repeats(case, method)).then_some(CYCLE + n % CYCLE)
 }
 
 /// Whether a method does the same on every segment of a case: no break, behind which the medium is another; no early end; no

@@ -1,6 +1,8 @@
-"""`volver study` with its errors split beside the tables of study_total.py: values first, then processor time.
+"""`volver study` beside the tables of study_total.py: values first, then processor time.
 
-usage: study_split.py VOLVER [ROUNDS] [PYTHON]
+usage: study.py VOLVER [ROUNDS] [PYTHON] [split|total] [groups]
+
+Errors are split or total [split]; with `groups` rules of higher order are those over groups of segments.
 
 VOLVER is the program, or several of them with commas between, compared with each other too; PYTHON has python-flint and numpy.
 Processes run in turn, ROUNDS times [15]; times are user and system together, medians and quartiles, what starting takes (`volver
@@ -18,12 +20,14 @@ programs = sys.argv[1].split(",")
 rounds = int(sys.argv[2]) if len(sys.argv) > 2 else 15
 python = sys.argv[3] if len(sys.argv) > 3 else sys.executable
 peer = os.path.join(here, "study_total.py")
-INNER = ["riemann-left", "riemann-right", "trapezoid", "simpson", "boole"]
+errors = sys.argv[4] if len(sys.argv) > 4 else "split"
+groups = sys.argv[5:]
+INNER = ["riemann-left", "riemann-right", "trapezoid", *(["simpson-pairs-parabola", "boole-fours"] if groups else ["simpson", "boole"])]
 OUTER = ["riemann-left", "trapezoid", "simpson", "boole"]
 METHODS = [f"{inner}/{outer}" for inner in INNER for outer in OUTER]
 IN_PROCESS = """
 import sys, time
-sys.argv = ["study_total.py", "numpy", "shared"]
+sys.argv = ["study_total.py", "numpy", "shared", *MORE]
 exec(open(PEER).read())
 taken = []
 for _ in range(21):
@@ -31,11 +35,11 @@ for _ in range(21):
     shared()
     taken.append(time.process_time() - start)
 print(sorted(taken)[10])
-""".replace("PEER", repr(peer))
+""".replace("PEER", repr(peer)).replace("MORE", repr(groups))
 
 
 def study(program, bits, *more):
-    return [program, "study", "--cases", "sine-squared", "--methods", ",".join(METHODS), "--formats", bits, "--levels", "4..2048", "--threads", "1", *more]
+    return [program, "study", "--cases", "sine-squared", "--methods", ",".join(METHODS), "--formats", bits, "--levels", "4..2048", "--errors", errors, "--threads", "1", *more]
 
 
 def seconds(command):
@@ -57,9 +61,9 @@ def values(program, bits, part):
 
 def compare(program):
     """The largest difference of any error: at 100 digits relative to it, in binary64 as it is."""
-    for library, bits, part, relative in [("flint", "mpfr:341", "discretization", True), ("numpy", "f64", "total", False)]:
+    for library, bits, part, relative in [("flint", "mpfr:341", "discretization" if errors == "split" else "total", True), ("numpy", "f64", "total", False)]:
         ours = values(program, bits, part)
-        lines = subprocess.run([python, peer, library, "shared", "values"], capture_output=True, text=True, check=True).stdout
+        lines = subprocess.run([python, peer, library, "shared", "values", *groups], capture_output=True, text=True, check=True).stdout
         worst = 0.0
         for line in lines.splitlines():
             method, n, error = line.split()
@@ -71,7 +75,7 @@ def compare(program):
 
 commands = {
     "start of python-flint": [python, "-c", "import flint"],
-    "python-flint, shared": [python, peer, "flint", "shared"],
+    "python-flint, shared": [python, peer, "flint", "shared", *groups],
 }
 for program in programs:
     compare(program)
