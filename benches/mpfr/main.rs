@@ -34,7 +34,7 @@ fn main() {
             radiance
         };
         assert_eq!(*ours().as_float(), in_c());
-        let Compared { own, other, ratio } = Compared::new(|| often(&ours), || often(&in_c));
+        let Compared { own, other, ratio } = Compared::new(|| often(ours), || often(in_c));
         let [low, ratio, high] = ratio;
         let nanoseconds = 1e9 / (f64::from(RUNS) * SEGMENTS as f64);
         println!(

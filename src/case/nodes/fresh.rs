@@ -67,9 +67,14 @@ impl<'c, C: Case, F: Format> Fresh<'c, C, F> {
 
     /// The places D·(j + offset)/n, j = 0 … count − 1, one after the other, rounded once.
     #[inline]
-    fn places(&self, n: u64, offset: Rational, count: u64) -> impl Iterator<Item = F::Real> {
+    fn places(
+        &self,
+        n: u64,
+        offset: &Rational,
+        count: u64,
+    ) -> impl Iterator<Item = F::Real> + use<'_, F, C> {
         self.count(count);
-        let places = Places::new(&self.length, n, &offset);
+        let places = Places::new(&self.length, n, offset);
         (0..count).map(move |j| places.at(self.format, j))
     }
 
@@ -78,9 +83,9 @@ impl<'c, C: Case, F: Format> Fresh<'c, C, F> {
     fn transfers(
         &self,
         n: u64,
-        offset: Rational,
+        offset: &Rational,
         count: u64,
-    ) -> impl Iterator<Item = Transfer<F::Real>> {
+    ) -> impl Iterator<Item = Transfer<F::Real>> + use<'_, F, C> {
         if C::IN_ROWS {
             let rows = self.evaluated_rows(n, offset, count, ROW);
             return Way::Rows(rows.flat_map(|transfers| {
@@ -99,10 +104,10 @@ impl<'c, C: Case, F: Format> Fresh<'c, C, F> {
     fn rows_of(
         &self,
         n: u64,
-        offset: Rational,
+        offset: &Rational,
         count: u64,
         first: usize,
-    ) -> impl Iterator<Item = Transfer<Vec<F::Real>>> {
+    ) -> impl Iterator<Item = Transfer<Vec<F::Real>>> + use<'_, F, C> {
         if C::IN_ROWS {
             Way::Rows(self.evaluated_rows(n, offset, count, first))
         } else {
@@ -114,10 +119,10 @@ impl<'c, C: Case, F: Format> Fresh<'c, C, F> {
     fn evaluated_rows(
         &self,
         n: u64,
-        offset: Rational,
+        offset: &Rational,
         count: u64,
         first: usize,
-    ) -> impl Iterator<Item = Transfer<Vec<F::Real>>> {
+    ) -> impl Iterator<Item = Transfer<Vec<F::Real>>> + use<'_, F, C> {
         let mut places = self.places(n, offset, count);
         let mut length = first;
         std::iter::from_fn(move || {
@@ -127,7 +132,7 @@ impl<'c, C: Case, F: Format> Fresh<'c, C, F> {
         })
     }
 
-    fn column(&self, n: u64, offset: Rational, count: u64) -> Arc<Column<F::Real>> {
+    fn column(&self, n: u64, offset: &Rational, count: u64) -> Arc<Column<F::Real>> {
         Arc::new(self.evaluate(&row(self.places(n, offset, count))))
     }
 }
@@ -162,23 +167,23 @@ impl<C: Case, F: Format> Nodes for Fresh<'_, C, F> {
     }
 
     fn boundaries(&self, n: u64) -> Arc<Column<F::Real>> {
-        self.column(n, Rational::new(), n + 1)
+        self.column(n, &Rational::new(), n + 1)
     }
 
     fn march(&self, n: u64) -> impl Iterator<Item = Transfer<F::Real>> {
-        self.transfers(n, Rational::new(), n + 1)
+        self.transfers(n, &Rational::new(), n + 1)
     }
 
     fn rows(&self, n: u64) -> impl Iterator<Item = Transfer<Vec<F::Real>>> {
-        self.rows_of(n, Rational::new(), n + 1, ROW + 1)
+        self.rows_of(n, &Rational::new(), n + 1, ROW + 1)
     }
 
     fn interior(&self, n: u64, offset: &Rational) -> Arc<Column<F::Real>> {
-        self.column(n, offset.clone(), n)
+        self.column(n, offset, n)
     }
 
     fn march_inside(&self, n: u64, offset: Rational) -> impl Iterator<Item = Transfer<F::Real>> {
-        self.transfers(n, offset, n)
+        self.transfers(n, &offset, n)
     }
 
     fn rows_inside(
@@ -186,7 +191,7 @@ impl<C: Case, F: Format> Nodes for Fresh<'_, C, F> {
         n: u64,
         offset: Rational,
     ) -> impl Iterator<Item = Transfer<Vec<F::Real>>> {
-        self.rows_of(n, offset, n, ROW)
+        self.rows_of(n, &offset, n, ROW)
     }
 
     fn beyond(&self, n: u64) -> F::Real {

@@ -51,57 +51,75 @@ impl<R: Real> FrontToBack<R> {
         &self,
         format: R::Format,
         samples: impl Iterator<Item = Sample<R>>,
-        record: impl FnMut(&R),
-    ) -> (R, u64) {
-        let opacity = self.opacity;
-        if R::Format::IN_LANES {
-            return self.pass(format, in_rows(opacity, samples), record);
-        }
-        let with_opacities = samples.map(|sample| {
-            let alpha = opacity.of(&sample.depth);
-            (sample, alpha)
-        });
-        self.pass(format, with_opacities, record)
-    }
-
-    /// The same of samples with their opacities.
-    fn pass(
-        &self,
-        format: R::Format,
-        samples: impl Iterator<Item = (Sample<R>, R)>,
         mut record: impl FnMut(&R),
     ) -> (R, u64) {
+        let mut so_far = SoFar::new(self, format);
+        // One loop each: the shorter one is to be one with the evaluation of the case.
+        if R::Format::IN_LANES {
+            for (sample, alpha) in in_rows(self.opacity, samples) {
+                record(&so_far.transmittance);
+                if so_far.passes(self, sample, alpha) {
+                    break;
+                }
+            }
+        } else {
+            for sample in samples {
+                let alpha = self.opacity.of(&sample.depth);
+                record(&so_far.transmittance);
+                if so_far.passes(self, sample, alpha) {
+                    break;
+                }
+            }
+        }
+        (so_far.radiance.value(), so_far.composited)
+    }
+}
+
+/// What has been composited from the eye on.
+struct SoFar<R> {
+    one: R,
+    radiance: Sum<R>,
+    /// The depth, or what remains.
+    passed: Sum<R>,
+    transmittance: R,
+    composited: u64,
+}
+
+impl<R: Real> SoFar<R> {
+    fn new(way: &FrontToBack<R>, format: R::Format) -> Self {
         let one = format.int(1);
-        let mut radiance = Sum::new(self.summation, format);
-        // The depth, or what remains.
-        let mut passed = Sum::new(self.summation, format);
-        if self.depth == Accumulation::Remainder {
+        let mut passed = Sum::new(way.summation, format);
+        if way.depth == Accumulation::Remainder {
             passed.add(&one);
         }
-        let mut transmittance = one.clone();
-        let mut composited = 0;
-        for (sample, alpha) in samples {
-            record(&transmittance);
-            radiance.add(&(sample.emission * &alpha * &transmittance));
-            composited += 1;
-            match self.depth {
-                Accumulation::Transmittances => transmittance *= &(one.clone() - &alpha),
-                Accumulation::Depths => {
-                    passed.add(&sample.depth);
-                    transmittance = (-passed.value()).exp();
-                }
-                Accumulation::Remainder => {
-                    passed.add(&-(alpha * &transmittance));
-                    transmittance = passed.value();
-                }
+        SoFar {
+            radiance: Sum::new(way.summation, format),
+            passed,
+            transmittance: one.clone(),
+            composited: 0,
+            one,
+        }
+    }
+
+    /// Passes a segment of that opacity; whether the ray ends behind it.
+    #[inline]
+    fn passes(&mut self, way: &FrontToBack<R>, sample: Sample<R>, alpha: R) -> bool {
+        let light = sample.emission * &alpha * &self.transmittance;
+        self.radiance.add(&light);
+        self.composited += 1;
+        match way.depth {
+            Accumulation::Transmittances => self.transmittance *= &(self.one.clone() - &alpha),
+            Accumulation::Depths => {
+                self.passed.add(&sample.depth);
+                self.transmittance = (-self.passed.value()).exp();
             }
-            if let Some(threshold) = &self.threshold
-                && transmittance < *threshold
-            {
-                break;
+            Accumulation::Remainder => {
+                self.passed.add(&-(alpha * &self.transmittance));
+                self.transmittance = self.passed.value();
             }
         }
-        (radiance.value(), composited)
+        let threshold = way.threshold.as_ref();
+        threshold.is_some_and(|threshold| self.transmittance < *threshold)
     }
 }
 

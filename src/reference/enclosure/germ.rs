@@ -93,6 +93,9 @@ fn sum<N: Number>(parts: impl IntoIterator<Item = Rest<N>>) -> Option<Rest<N>> {
     })
 }
 
+/// b, b exactly and what is added to it.
+type Parts<'a, N> = (&'a N, Option<&'a Rational>, Option<&'a Rest<N>>);
+
 fn is_zero(exact: Option<&Rational>) -> bool {
     exact.is_some_and(|q| *q == 0)
 }
@@ -122,8 +125,8 @@ impl<N: Plane> Germ<N> {
         Germ::known(N::constant(bits, &zero), Some(zero), Some(rest))
     }
 
-    /// b, b exactly and what is added to it; `None` of what is no such sum.
-    fn parts(&self) -> Option<(&N, Option<&Rational>, Option<&Rest<N>>)> {
+    /// `None` of what is no such sum.
+    fn parts(&self) -> Option<Parts<'_, N>> {
         match self {
             Germ::Known { base, exact, rest } => Some((base, exact.as_ref(), rest.as_ref())),
             Germ::Logarithm { .. } | Germ::Undefined => None,
