@@ -1,6 +1,6 @@
 # What a stranger runs and what CI runs are the same commands.
 
-.PHONY: reproduce test library thorough attack proofs mutants lint kernels page bench setup
+.PHONY: reproduce test library thorough attack proofs mutants lint kernels page engines flint bench setup
 .DEFAULT_GOAL := reproduce
 
 # The main job: the paper's tables, measured again, and what lies beyond them; the report goes to reproduction/.
@@ -49,6 +49,18 @@ kernels: setup
 # The page of every --out directory, read in headless Chromium, which is Debian's package; installs it where it is missing.
 page: setup
 	tests/page/check
+
+# Studies in shards by a real Slurm, Debian's, which it installs and starts on this machine as root, and a manifest of Kubernetes.
+engines: setup
+	tests/engines/check
+
+# FLINT's functions: the same bits as MPFR's. FLINT is compiled, which takes minutes; installs what that needs.
+flint: setup
+	@command -v autoreconf libtoolize >/dev/null 2>&1 || { \
+	  echo "installing autoconf, automake and libtool, which the build of FLINT needs"; \
+	  $(SUDO) apt-get update -qq && $(SUDO) env DEBIAN_FRONTEND=noninteractive apt-get install -y -qq autoconf automake libtool; }
+	cargo clippy --locked --all-targets --features flint -- -D warnings
+	cargo test --locked --features flint --test numbers mpfr
 
 bench: setup target/peers
 	VOLVER_PYTHON=$(CURDIR)/target/peers/bin/python cargo bench --locked -p volver-benches

@@ -18,6 +18,7 @@ mod input;
 mod kernel;
 mod manufacture;
 pub(crate) mod memory;
+mod merge;
 mod new;
 mod output;
 mod plan;
@@ -99,6 +100,7 @@ pub(crate) enum Command {
     Prove(prove::Prove),
     Reference(reference::ReferenceValue),
     Study(Box<study::Study>),
+    Merge(merge::Merge),
     Report(report::Report),
     Plan(plan::PlanScene),
     Render(render::Render),
@@ -127,6 +129,7 @@ impl Command {
             Command::Prove(arguments) => arguments.run(),
             Command::Reference(arguments) => arguments.run(),
             Command::Study(arguments) => arguments.run(),
+            Command::Merge(arguments) => arguments.run(),
             Command::Report(arguments) => arguments.run(),
             Command::Plan(arguments) => arguments.run(),
             Command::Render(arguments) => arguments.run(),

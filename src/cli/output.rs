@@ -108,6 +108,14 @@ pub(super) fn is_dash(file: Option<&Path>) -> bool {
     file == Some(Path::new("-"))
 }
 
+/// "1 unit", "2 units".
+pub(super) fn noun(count: usize, one: &str, many: &str) -> String {
+    match count {
+        1 => format!("1 {one}"),
+        count => format!("{count} {many}"),
+    }
+}
+
 /// What a library's error says.
 pub(super) fn said(error: impl Display) -> Failure {
     Failure::Usage(error.to_string())

@@ -1,6 +1,7 @@
 //! `volver report`: several reports on one page.
 
 use super::about::about;
+use super::output::noun;
 use super::{Failure, Outcome, waiting, write_out};
 use clap::Args;
 use std::path::{Path, PathBuf};
@@ -71,10 +72,6 @@ fn place(out: Option<&Path>) -> PathBuf {
 
 /// "2 reports in report.html: of 40 cells in both 1 verdict and 3 others differ".
 fn summary(comparison: &Comparison, reports: usize, file: &Path) -> String {
-    let noun = |count: usize, one: &str, many: &str| match count {
-        1 => format!("1 {one}"),
-        count => format!("{count} {many}"),
-    };
     let mut text = format!(
         "{} in {}",
         noun(reports, "report", "reports"),

@@ -2,30 +2,29 @@
 
 pub(super) mod asked;
 pub(super) mod cases;
+mod engine;
 mod errors;
 pub(super) mod formats;
 pub(super) mod levels;
 pub(super) mod methods;
+pub(super) mod results;
+mod shard;
 
 use super::about::about;
 use super::budget::{Budget, HOUR, WORK};
-use super::output::{Output, csv, said};
+use super::output::{Output, said};
 use super::{Bar, Color, Failure, Outcome, waiting};
 use asked::Asking;
 use clap::Args;
 use formats::Formats;
 pub(super) use formats::names as format_names;
+use shard::Sharding;
 use std::path::PathBuf;
 use std::thread;
-use volver::case::Case;
 use volver::real::FormatName;
 use volver::render;
-use volver::report::study;
 use volver::study::Progress;
-use volver::study::sweep::{Estimate, Header, Journal, Line, Results, Sweep, run};
-
-/// Where finished units are kept.
-const JOURNAL: &str = "study.jsonl";
+use volver::study::sweep::{Divided, Estimate, Header, Journal, Sweep, Unit, run};
 
 const EXAMPLES: &str = "\
 Every error of every method on every case in every format at every n is split into
@@ -90,6 +89,8 @@ pub(crate) struct Study {
     /// Go on with the results in the directory
     #[arg(long, requires = "out")]
     resume: bool,
+    #[command(flatten)]
+    sharding: Sharding,
     /// Threads to run on [default: all cores]
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u16).range(1..=1024))]
     threads: Option<u16>,
@@ -133,6 +134,14 @@ impl Study {
             levels,
         };
         let estimate = Estimate::new(&sweep, threads);
+        let work = Divided {
+            header: Header::new(&sweep),
+            sweep_bits: bits,
+            swept,
+        };
+        if self.sharding.is_asked() {
+            return self.in_shards(&sweep, work, threads, &estimate);
+        }
         let budget = Budget {
             what: "the study",
             bytes: estimate.bytes,
@@ -142,21 +151,8 @@ impl Study {
         budget.check(self.yes)?;
         self.output().check()?;
         budget.announce();
-        let header = Header::new(&sweep);
-        let lengths: Vec<f64> = sweep
-            .cases
-            .iter()
-            .map(|(_, case)| case.length().to_f64())
-            .collect();
-        let units = self.units(&sweep, &header, threads, &estimate)?;
-        let results = Results::new(header, bits, units, &lengths, &swept).map_err(said)?;
-        self.hand_out(&results)?;
-        let contradicts = |line: &Line| !line.swept && line.contradicts_theory();
-        Ok(if results.lines.iter().any(contradicts) {
-            Outcome::CheckFailed
-        } else {
-            Outcome::Good
-        })
+        let units = self.units(&sweep, &work.header, threads, &estimate)?;
+        results::hand_out(work, units, &about(), &self.output())
     }
 
     fn threads(&self) -> usize {
@@ -171,11 +167,11 @@ impl Study {
         header: &Header,
         threads: usize,
         estimate: &Estimate,
-    ) -> Result<Vec<volver::study::sweep::Unit>, Failure> {
+    ) -> Result<Vec<Unit>, Failure> {
         let mut journal = match &self.out {
             Some(directory) => {
                 render::make_directory(directory)?;
-                let path = directory.join(JOURNAL);
+                let path = directory.join(results::JOURNAL);
                 let journal = if self.resume {
                     Journal::resume(&path, header)
                 } else {
@@ -198,22 +194,6 @@ impl Study {
         bar.finish();
         ran.map_err(said)?;
         journal.finish(header).map_err(said)
-    }
-
-    fn hand_out(&self, results: &Results) -> Result<(), Failure> {
-        let document = study::document(results, &about());
-        self.output().hand_out(
-            &document,
-            |directory| {
-                let mut files = study::write(directory, results, &about())?;
-                files.push(directory.join(JOURNAL));
-                Ok(files)
-            },
-            |option| match option {
-                "--csv" => csv(&document),
-                _ => study::json(results),
-            },
-        )
     }
 
     /// Where reports go to.

@@ -1,5 +1,7 @@
 //! MPFR of any precision, given at run time.
 
+#[cfg(feature = "flint")]
+mod flint;
 #[cfg(feature = "studies")]
 mod near;
 
@@ -85,6 +87,20 @@ operator!(Sub, sub, SubAssign, sub_assign);
 operator!(Mul, mul, MulAssign, mul_assign);
 operator!(Div, div, DivAssign, div_assign);
 
+/// A function in place, by FLINT where it is there and settles the last bit.
+macro_rules! function {
+    ($name:ident, $in_place:ident) => {
+        fn $name(mut self) -> Self {
+            #[cfg(feature = "flint")]
+            if flint::$name(&mut self.0) {
+                return self;
+            }
+            self.0.$in_place();
+            self
+        }
+    };
+}
+
 impl Format for Mpfr {
     type Real = MpfrReal;
 
@@ -131,41 +147,31 @@ impl Real for MpfrReal {
     fn sqrt(self) -> Self {
         MpfrReal(self.0.sqrt())
     }
-    fn exp(self) -> Self {
-        MpfrReal(self.0.exp())
-    }
     fn set_exp_of_negative(&mut self, x: &Self) {
         rug::Assign::assign(&mut self.0, -&x.0);
+        #[cfg(feature = "flint")]
+        if flint::exp(&mut self.0) {
+            return;
+        }
         self.0.exp_mut();
     }
-    fn exp_m1(self) -> Self {
-        MpfrReal(self.0.exp_m1())
-    }
-    fn ln(self) -> Self {
-        MpfrReal(self.0.ln())
-    }
-    fn ln_1p(self) -> Self {
-        MpfrReal(self.0.ln_1p())
-    }
-    fn sin_cos(self) -> (Self, Self) {
-        let cos = Float::new(self.0.prec());
-        let (sin, cos) = self.0.sin_cos(cos);
-        (MpfrReal(sin), MpfrReal(cos))
-    }
-    fn tan(self) -> Self {
-        MpfrReal(self.0.tan())
-    }
-    fn sinh(self) -> Self {
-        MpfrReal(self.0.sinh())
-    }
-    fn cosh(self) -> Self {
-        MpfrReal(self.0.cosh())
-    }
-    fn tanh(self) -> Self {
-        MpfrReal(self.0.tanh())
-    }
-    fn atan(self) -> Self {
-        MpfrReal(self.0.atan())
+    function!(exp, exp_mut);
+    function!(exp_m1, exp_m1_mut);
+    function!(ln, ln_mut);
+    function!(ln_1p, ln_1p_mut);
+    function!(tan, tan_mut);
+    function!(sinh, sinh_mut);
+    function!(cosh, cosh_mut);
+    function!(tanh, tanh_mut);
+    function!(atan, atan_mut);
+    fn sin_cos(mut self) -> (Self, Self) {
+        #[cfg(feature = "flint")]
+        if let Some(cos) = flint::sin_cos(&mut self.0) {
+            return (self, MpfrReal(cos));
+        }
+        let mut cos = Float::new(self.0.prec());
+        self.0.sin_cos_mut(&mut cos);
+        (self, MpfrReal(cos))
     }
     fn erf(self) -> Self {
         MpfrReal(self.0.erf())

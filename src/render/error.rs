@@ -30,4 +30,7 @@ pub enum ReportError {
     /// A table has no place in CSV.
     #[error("cannot write CSV: {0}")]
     Csv(#[source] io::Error),
+    /// A table has no place in Parquet.
+    #[error("cannot write Parquet: {0}")]
+    Parquet(String),
 }

@@ -71,14 +71,14 @@ fn write_files(
 /// # Errors
 ///
 /// [`ReportError::File`] with the path and the system's reason.
-pub fn write_file(path: &Path, contents: &str) -> Result<(), ReportError> {
-    replace(path, contents).map_err(|reason| ReportError::File {
+pub fn write_file(path: &Path, contents: impl AsRef<[u8]>) -> Result<(), ReportError> {
+    replace(path, contents.as_ref()).map_err(|reason| ReportError::File {
         path: path.into(),
         reason,
     })
 }
 
-fn replace(path: &Path, contents: &str) -> io::Result<()> {
+fn replace(path: &Path, contents: &[u8]) -> io::Result<()> {
     // A link stays a link: what it leads to is replaced.
     let target = fs::canonicalize(path).unwrap_or_else(|_| path.to_path_buf());
     let old = fs::metadata(&target).ok();
@@ -95,7 +95,7 @@ fn replace(path: &Path, contents: &str) -> io::Result<()> {
     #[cfg(unix)]
     builder.permissions(std::os::unix::fs::PermissionsExt::from_mode(0o666));
     let mut file = builder.tempfile_in(parent)?;
-    file.write_all(contents.as_bytes())?;
+    file.write_all(contents)?;
     if let Some(old) = old {
         file.as_file().set_permissions(old.permissions())?;
     }

@@ -14,6 +14,8 @@ pub mod plan;
 pub mod reproduce;
 pub(crate) mod run;
 #[cfg(feature = "studies")]
+pub mod shards;
+#[cfg(feature = "studies")]
 pub mod stress;
 #[cfg(feature = "studies")]
 pub mod sweep;

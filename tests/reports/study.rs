@@ -1,11 +1,15 @@
 //! A study in every form.
 
 use crate::fixture::{figures, sweep::results, tables};
+use parquet::file::reader::{FileReader, SerializedFileReader};
+use parquet::record::Field;
+use rug::Float;
 use serde_json::Value;
 use std::fs;
+use std::io::Write;
 use volver::document::{About, Document};
 use volver::render::{csv, html, latex, markdown, terminal};
-use volver::report::study::{self, json, write};
+use volver::report::study::{self, json, parquet, write};
 use volver::study::sweep::{LevelRecord, Results, State};
 
 /// With a level that is refused and one that is not finite.
@@ -200,8 +204,8 @@ fn a_directory_gets_everything_twice_the_same() {
     let about = About::new(["volver"]);
     let paths = write(directory.path(), &odd(), &about).unwrap();
     let read = || {
-        let texts = paths.iter().map(|path| fs::read_to_string(path).unwrap());
-        texts.collect::<Vec<_>>()
+        let files = paths.iter().map(|path| fs::read(path).unwrap());
+        files.collect::<Vec<_>>()
     };
     let before = read();
     write(directory.path(), &odd(), &about).unwrap();
@@ -219,16 +223,59 @@ fn a_directory_gets_everything_twice_the_same() {
             "study.csv",
             "study.tex",
             "study.md",
-            "index.html"
+            "index.html",
+            "study.parquet"
         ]
     );
     // n* and the least error beside the line; a map with a cell a level and format.
+    let [parts, digits] =
+        [0, 1].map(|file: usize| String::from_utf8(before[file].clone()).unwrap());
     assert!(
-        before[0].contains("n* = 362") && before[0].contains("best 2.9e-6"),
-        "{}",
-        before[0]
+        parts.contains("n* = 362") && parts.contains("best 2.9e-6"),
+        "{parts}"
     );
-    assert!(before[1].matches("<rect").count() > 30 && before[1].contains("correct digits"));
+    assert!(digits.matches("<rect").count() > 30 && digits.contains("correct digits"));
+}
+
+#[test]
+fn a_table_has_flags_in_place_of_numbers_that_databases_read_otherwise() {
+    let mut results = odd();
+    let line = &mut results.lines[0];
+    let number = |text: &str| Some(Float::with_val(80, Float::parse(text).unwrap()));
+    line.row.levels[0].total = number("nan");
+    line.row.levels[0].state = State::NotFinite;
+    line.row.levels[1].total = None;
+    line.row.levels[1].state = State::Refused("n is odd".into());
+    line.row.levels[2].total = number("1e-320");
+    line.row.levels[3].total = number("0");
+    let mut file = tempfile::tempfile().unwrap();
+    file.write_all(&parquet(&results).unwrap()).unwrap();
+    let reader = SerializedFileReader::new(file).unwrap();
+    let rows: Vec<_> = reader
+        .get_row_iter(None)
+        .unwrap()
+        .map(Result::unwrap)
+        .collect();
+    let levels = results.lines.iter().map(|line| line.row.levels.len());
+    assert_eq!(rows.len(), levels.sum::<usize>());
+    let of = |row: usize| {
+        let mut columns = rows[row].get_column_iter();
+        let mut column =
+            |wanted: &str| columns.find(|(name, _)| *name == wanted).unwrap().1.clone();
+        let flags =
+            ["failed", "infinite", "beyond_binary64"].map(|name| column(name) == Field::Bool(true));
+        (flags, column("total"))
+    };
+    assert_eq!(of(0), ([false, true, false], Field::Null));
+    assert_eq!(of(1), ([true, false, false], Field::Null));
+    assert_eq!(of(2), ([false, false, true], Field::Null));
+    assert_eq!(of(3), ([false, false, false], Field::Double(0.0)));
+    let total = results.lines[0].row.levels[4]
+        .total
+        .as_ref()
+        .unwrap()
+        .to_f64();
+    assert_eq!(of(4), ([false, false, false], Field::Double(total)));
 }
 
 #[test]

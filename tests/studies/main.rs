@@ -18,6 +18,7 @@ mod plan;
 mod progress;
 mod report;
 mod run;
+mod shards;
 mod standing;
 mod stress;
 mod study;

@@ -3,7 +3,7 @@
 mod between;
 mod estimate;
 mod file;
-mod fixture;
+pub(crate) mod fixture;
 mod journal;
 mod run;
 mod summary;

@@ -1,5 +1,6 @@
 //! A study of errors and their parts.
 
+mod columns;
 mod json;
 mod levels;
 mod paper;
@@ -7,6 +8,7 @@ mod parts;
 mod whole;
 pub(super) mod words;
 
+pub use columns::parquet;
 pub use json::json;
 pub use parts::of_split;
 
@@ -18,7 +20,7 @@ use crate::document::{
     About, Block, Cell, Column, Conclusion, Document, Fact, Figure, Finding, Medium, Section,
     Table, Tone,
 };
-use crate::render::{ReportError, write_document};
+use crate::render::{ReportError, make_directory, write_document, write_file};
 use crate::study::sweep::{Errors, Line, Results, SplitSummary, TOLERANCES};
 use std::f64::consts::LOG10_2;
 use std::path::{Path, PathBuf};
@@ -86,8 +88,13 @@ fn unproved(results: &Results) -> Option<Section> {
 /// # Errors
 /// [`ReportError::Directory`] or [`ReportError::File`] with the path and the system's reason.
 pub fn write(dir: &Path, results: &Results, about: &About) -> Result<Vec<PathBuf>, ReportError> {
+    let table = dir.join("study.parquet");
+    make_directory(dir)?;
+    write_file(&table, parquet(results)?)?;
     let data = [("study.json".to_string(), json(results)?)];
-    write_document(dir, &document(results, about), "study", data)
+    let mut files = write_document(dir, &document(results, about), "study", data)?;
+    files.push(table);
+    Ok(files)
 }
 
 fn run(results: &Results) -> Section {

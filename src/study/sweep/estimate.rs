@@ -90,6 +90,13 @@ impl Estimate {
         self.work * self.unit / threads.max(1) as f64
     }
 
+    /// Seconds of one unit on one core.
+    #[must_use]
+    pub fn seconds_of_unit(&self, sweep: &Sweep, format: FormatName) -> f64 {
+        let works = Self::levels(sweep).map(|n| Self::work(sweep, format, n) as f64);
+        works.sum::<f64>() * self.unit
+    }
+
     /// All work, as progress counts it.
     #[must_use]
     #[expect(

@@ -3,9 +3,10 @@
 use super::Errors;
 use super::record::{Header, LevelRecord, Row, State, Unit};
 use crate::input;
+use crate::study::shards;
 use serde::Serialize;
 use std::fs::{File, OpenOptions};
-use std::io::{self, BufRead, BufReader, Read, Seek, SeekFrom, Write};
+use std::io::{self, BufRead, BufReader, BufWriter, Read, Seek, SeekFrom, Write};
 use std::path::{Path, PathBuf};
 
 /// A file of finished units behind a header. Every line is written whole and to the disk; a last line that was
@@ -35,6 +36,9 @@ pub enum JournalError {
         /// What the system said.
         error: io::Error,
     },
+    /// A shard's file cannot be read.
+    #[error(transparent)]
+    Shard(#[from] shards::FileError),
     /// There are results already.
     #[error("{path} holds results already (allowed: --resume to go on, or another directory)")]
     Exists {
@@ -193,15 +197,7 @@ impl Journal {
         let Some(Kept { path, .. }) = self.kept else {
             return Ok(units);
         };
-        let temporary = path.with_extension("jsonl.new");
-        let mut file = File::create(&temporary).map_err(at(&temporary))?;
-        let mut text = line(header);
-        for unit in &units {
-            text += &line(unit);
-        }
-        file.write_all(text.as_bytes()).map_err(at(&temporary))?;
-        file.sync_all().map_err(at(&temporary))?;
-        std::fs::rename(&temporary, &path).map_err(at(&path))?;
+        write_whole(&path, header, &units)?;
         Ok(units)
     }
 
@@ -212,6 +208,24 @@ impl Journal {
         let written = file.write_all(line(value).as_bytes());
         written.and_then(|()| file.sync_data()).map_err(at(path))
     }
+}
+
+/// Writes a journal of finished units, in one piece.
+pub(super) fn write_whole(
+    path: &Path,
+    header: &Header,
+    units: &[Unit],
+) -> Result<(), JournalError> {
+    let temporary = path.with_extension("jsonl.new");
+    let file = File::create(&temporary).map_err(at(&temporary))?;
+    let mut writer = BufWriter::new(&file);
+    let mut lines = std::iter::once(line(header)).chain(units.iter().map(line));
+    let written = lines.try_for_each(|line| writer.write_all(line.as_bytes()));
+    let written = written.and_then(|()| writer.flush());
+    written
+        .and_then(|()| file.sync_all())
+        .map_err(at(&temporary))?;
+    std::fs::rename(&temporary, path).map_err(at(path))
 }
 
 /// The units of a journal, and how many of its bytes are whole lines.
@@ -270,7 +284,7 @@ fn read(path: &Path, file: &mut File, header: &Header) -> Result<(Vec<Unit>, u64
 }
 
 /// Whether a unit has the shape of this study.
-fn check(unit: &Unit, header: &Header) -> Result<(), String> {
+pub(super) fn check(unit: &Unit, header: &Header) -> Result<(), String> {
     let Unit {
         case, format, rows, ..
     } = unit;
@@ -310,26 +324,13 @@ fn check(unit: &Unit, header: &Header) -> Result<(), String> {
 }
 
 fn same(path: &Path, found: &Header, wanted: &Header) -> Result<(), JournalError> {
-    let differs = |what, found: &[String], wanted: &[String]| JournalError::OtherStudy {
-        path: path.display().to_string(),
-        what,
-        found: found.join(", "),
-        wanted: wanted.join(", "),
-    };
-    let cases = |h: &Header| h.cases.iter().map(|c| c.join(" ")).collect::<Vec<_>>();
-    let levels = |h: &Header| h.levels.iter().map(ToString::to_string).collect::<Vec<_>>();
-    let version = |h: &Header| vec![h.volver.clone()];
-    let errors = |h: &Header| vec![h.errors.to_string()];
-    let compared = [
-        ("version", version(found), version(wanted)),
-        ("errors", errors(found), errors(wanted)),
-        ("cases", cases(found), cases(wanted)),
-        ("methods", found.methods.clone(), wanted.methods.clone()),
-        ("formats", found.formats.clone(), wanted.formats.clone()),
-        ("levels", levels(found), levels(wanted)),
-    ];
-    match compared.iter().find(|(_, found, wanted)| found != wanted) {
-        Some((what, found, wanted)) => Err(differs(what, found, wanted)),
+    match found.difference(wanted) {
+        Some((what, found, wanted)) => Err(JournalError::OtherStudy {
+            path: path.display().to_string(),
+            what,
+            found,
+            wanted,
+        }),
         None => Ok(()),
     }
 }

@@ -5,27 +5,33 @@
 //! off and resumed gives the same bytes as one that was not.
 
 mod between;
+mod divided;
 mod errors;
 mod estimate;
 mod file;
 mod floor;
 mod journal;
+mod keep;
 mod kept;
 mod number;
 mod record;
 mod results;
 mod run;
+mod stopped;
 mod summary;
 mod total;
 
 pub use between::between;
+pub use divided::{Divided, StudyShard};
 pub use errors::{Errors, ErrorsError};
 pub use estimate::Estimate;
 pub use file::{FileLevels, StudyFile, StudyFileError, StudyFileProblem};
 pub use journal::{Journal, JournalError};
+pub use keep::Keep;
 pub use record::{Header, LevelRecord, Part, Row, State, Theory, Unit};
 pub use results::{Line, Results};
-pub use run::{Statistics, SweepError, run};
+pub use run::{Statistics, run};
+pub use stopped::SweepError;
 pub use summary::{Bits, SplitSummary, Summary, TOLERANCES, summarize};
 
 use crate::case::SymbolicCase;

@@ -4,6 +4,7 @@ use super::{Errors, Sweep, number};
 use crate::case::Unproved;
 use crate::convergence::{Cell, Split};
 use crate::method::{Expected, Method};
+use crate::study::shards::Key;
 use rug::Float;
 use serde::{Deserialize, Deserializer, Serialize, Serializer};
 
@@ -48,6 +49,42 @@ impl Header {
             levels: sweep.levels.clone(),
             errors: sweep.errors,
         }
+    }
+
+    /// What another study has otherwise: what that is, this one's, and the other's.
+    #[must_use]
+    pub fn difference(&self, other: &Header) -> Option<(&'static str, String, String)> {
+        let cases = |h: &Header| h.cases.iter().map(|c| c.join(" ")).collect::<Vec<_>>();
+        let levels = |h: &Header| h.levels.iter().map(ToString::to_string).collect::<Vec<_>>();
+        let version = |h: &Header| vec![h.volver.clone()];
+        let errors = |h: &Header| vec![h.errors.to_string()];
+        let compared = [
+            ("version", version(self), version(other)),
+            ("errors", errors(self), errors(other)),
+            ("cases", cases(self), cases(other)),
+            ("methods", self.methods.clone(), other.methods.clone()),
+            ("formats", self.formats.clone(), other.formats.clone()),
+            ("levels", levels(self), levels(other)),
+        ];
+        let mut compared = compared.into_iter();
+        let (what, ours, theirs) = compared.find(|(_, ours, theirs)| ours != theirs)?;
+        Some((what, ours.join(", "), theirs.join(", ")))
+    }
+
+    /// What the units are known by, in the same order: a digest of all that their results depend on, of case, format, methods,
+    /// levels, kind of errors and version.
+    #[must_use]
+    pub fn keys(&self) -> Vec<Key> {
+        let (errors, methods) = (self.errors.to_string(), self.methods.join(","));
+        let levels: Vec<String> = self.levels.iter().map(ToString::to_string).collect();
+        let levels = levels.join(",");
+        let of_study = [&self.volver, &errors, &methods, &levels];
+        let units = self.cases.iter().flat_map(|case| {
+            let formats = self.formats.iter();
+            formats.map(move |format| case.iter().chain([format]))
+        });
+        let keys = units.map(|unit| Key::of(unit.chain(of_study).map(String::as_str)));
+        keys.collect()
     }
 
     /// The names of all units, in the order in which they are reported.

@@ -5,7 +5,7 @@ use super::summary::{Summary, summarize};
 use crate::case::Unproved;
 use crate::convergence::{FitError, Verdict};
 use crate::real::{FormatName, MpfrReal, Real};
-use rug::Float;
+use rug::{Float, Rational};
 use std::f64::consts::LOG10_2;
 use std::ops::RangeInclusive;
 
@@ -42,8 +42,7 @@ pub struct Line {
 }
 
 impl Results {
-    /// Of the units of a study; `lengths` are those of the rays, in the order of the header's cases, and
-    /// `swept` tells of each format whether it is there for a map of digits alone.
+    /// Of the units of a study; `swept` tells of each format whether it is there for a map of digits alone.
     ///
     /// # Errors
     /// [`FitError`], which levels that ascend do not cause.
@@ -51,7 +50,6 @@ impl Results {
         header: Header,
         sweep_bits: Option<RangeInclusive<u32>>,
         units: Vec<Unit>,
-        lengths: &[f64],
         swept: &[bool],
     ) -> Result<Results, FitError> {
         let mut lines = Vec::new();
@@ -64,11 +62,10 @@ impl Results {
                     unproved.push(open);
                 }
             }
-            let case = header
-                .cases
-                .iter()
-                .position(|[name, ..]| *name == unit.case);
-            let length = case.and_then(|i| lengths.get(i)).copied().unwrap_or(1.0);
+            let mut cases = header.cases.iter();
+            let length = cases.find(|[name, ..]| *name == unit.case);
+            let length = length.and_then(|[_, length, ..]| length.parse::<Rational>().ok());
+            let length = length.map_or(1.0, |length| length.to_f64());
             let format = header.formats.iter().position(|name| *name == unit.format);
             let swept = format.and_then(|i| swept.get(i)).copied().unwrap_or(false);
             for row in &unit.rows {

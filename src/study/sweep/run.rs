@@ -1,8 +1,9 @@
 //! Running a study on all cores.
 
-use super::journal::{Journal, JournalError};
+use super::keep::Keep;
 use super::number;
 use super::record::{LevelRecord, Row, Unit};
+use super::stopped::SweepError;
 use super::total::{self, Truth};
 use super::{Errors, Estimate, Sweep};
 use crate::case::{Shared, SymbolicCase};
@@ -18,20 +19,10 @@ use std::collections::VecDeque;
 use std::sync::atomic::{AtomicU64, Ordering};
 use std::sync::{Arc, Mutex, MutexGuard, OnceLock, PoisonError};
 use std::thread;
+use std::time::Instant;
 
 /// Bits that I is known to for a report.
 const RADIANCE_BITS: u32 = 80;
-
-/// Why a study stopped.
-#[derive(Debug, thiserror::Error)]
-pub enum SweepError {
-    /// Its journal cannot be written.
-    #[error(transparent)]
-    Journal(#[from] JournalError),
-    /// A thread ended before its work did.
-    #[error("a thread of the study ended early (allowed: enough memory for the study)")]
-    Thread,
-}
 
 /// What a run cost.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -101,19 +92,19 @@ impl<'s> Job<'s> {
     }
 }
 
-/// Runs what the journal does not have yet, on `threads` threads. Memory is for about twice as many cases as
-/// there are threads, however many the study has.
+/// Runs the units that are wanted, on `threads` threads. Memory is for about twice as many cases as there are threads, however
+/// many the study has.
 ///
 /// # Errors
-/// [`SweepError::Journal`] where a finished unit cannot be kept.
+/// [`SweepError`] where a finished unit cannot be kept.
 pub fn run(
     sweep: &Sweep,
-    journal: &mut Journal,
+    kept: &mut dyn Keep,
     threads: usize,
     progress: &dyn Progress,
 ) -> Result<Statistics, SweepError> {
     let threads = threads.max(1);
-    let todo = queue(sweep, journal);
+    let todo = queue(sweep, kept);
     let jobs: Vec<Job<'_>> = sweep
         .cases
         .iter()
@@ -130,7 +121,7 @@ pub fn run(
         threads_at: vec![0; jobs.len()],
         units: todo,
     });
-    let journal = Mutex::new(journal);
+    let kept = Mutex::new(kept);
     let statistics = Mutex::new(Statistics::default());
     let work = || -> Result<(), SweepError> {
         let mut mine = None;
@@ -151,17 +142,19 @@ pub fn run(
                 (false, false) => Order::FromCoarsest,
             };
             let job = &jobs[case];
+            let begun = Instant::now();
             let unit = job.unit(sweep, format, order, progress);
+            let took = begun.elapsed().as_secs_f64();
             lock(&todo).leave(case);
             let mut total = lock(&statistics);
             total.units += 1;
             total.evaluations += unit.evaluations;
             total.oracle_evaluations += job.done();
             drop(total);
-            if let Err(error) = lock(&journal).append(unit) {
+            if let Err(error) = lock(&kept).keep(unit, took) {
                 // Nothing more can be kept: the others stop after what they have begun.
                 lock(&todo).units.clear();
-                return Err(error.into());
+                return Err(error);
             }
         }
     };
@@ -183,11 +176,11 @@ pub fn run(
 }
 
 /// The units left to do, case by case.
-fn queue(sweep: &Sweep, journal: &Journal) -> VecDeque<(usize, FormatName)> {
+fn queue(sweep: &Sweep, kept: &dyn Keep) -> VecDeque<(usize, FormatName)> {
     let mut queue = VecDeque::new();
     for (case, (name, _)) in sweep.cases.iter().enumerate() {
         for format in &sweep.formats {
-            if !journal.has(name, &format.to_string()) {
+            if kept.wants(name, &format.to_string()) {
                 queue.push_back((case, *format));
             }
         }

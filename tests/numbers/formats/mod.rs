@@ -7,6 +7,7 @@ mod ends;
 mod fixed;
 mod hardware;
 mod methods;
+mod mpfr;
 mod rounding;
 mod tables;
 

@@ -86,7 +86,7 @@ pub(crate) fn results() -> Results {
         errors: Errors::Split,
     };
     let swept = [false, true, true, true];
-    Results::new(header, Some(10..=12), units, &[1.0], &swept).unwrap()
+    Results::new(header, Some(10..=12), units, &swept).unwrap()
 }
 
 pub(crate) fn case(name: &str) -> SymbolicCase {

@@ -112,7 +112,7 @@ fn a_wrong_theory_is_contradicted_and_a_lack_of_levels_is_not() {
         let mut unit = unit("f32", 24);
         unit.rows[0].expected = expected;
         let header = results().header;
-        let results = Results::new(header, None, vec![unit], &[1.0], &[false]).unwrap();
+        let results = Results::new(header, None, vec![unit], &[false]).unwrap();
         results.lines[0].contradicts_theory()
     };
     assert!(contradicts(Theory::Order(3.0)));

@@ -2,7 +2,7 @@
 
 use super::fixture::{case, sweep};
 use rug::Float;
-use volver::case::{Case, Shared};
+use volver::case::Shared;
 use volver::convergence::Verdict;
 use volver::method::Method;
 use volver::real::{Native, Real};
@@ -283,15 +283,10 @@ fn rounding_is_no_contradiction_and_a_wrong_order_is_one() {
         levels: (3..=12).map(|k| 1 << k).collect(),
         errors: Errors::Total,
     };
-    let lengths: Vec<f64> = sweep
-        .cases
-        .iter()
-        .map(|(_, case)| case.length().to_f64())
-        .collect();
     let all = units(&sweep, 2);
     let of = |units: Vec<Unit>| {
         let header = Header::new(&sweep);
-        Results::new(header, None, units, &lengths, &[false; 6]).unwrap()
+        Results::new(header, None, units, &[false; 6]).unwrap()
     };
     let mut confirmed = 0;
     for line in &of(all.clone()).lines {

@@ -1,0 +1,6 @@
+//! Studies in shards: cut, killed, doubled, corrupted, joined.
+
+mod command;
+mod costs;
+mod cut;
+mod scenarios;
