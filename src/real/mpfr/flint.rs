@@ -26,7 +26,7 @@ unsafe extern "C" {
 /// Bits beyond those of the result: of 2¹⁵ results one is not settled by its ball.
 const GUARD_BITS: slong = 20;
 /// Exponents of arguments that are FLINT's: what comes out is far from where MPFR's exponents end.
-const EXPONENTS: RangeInclusive<i32> = -65_536..=32;
+const EXPONENTS: RangeInclusive<i32> = -65_536..=24;
 
 /// A function of one ball.
 type Function = unsafe extern "C" fn(*mut arb_struct, *const arb_struct, slong);

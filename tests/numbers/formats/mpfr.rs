@@ -62,7 +62,7 @@ fn functions_of_special_numbers_are_those_of_mpfr() {
             agree_at(&Float::with_val(bits, special));
         }
         let one = Float::with_val(bits, 1);
-        for shift in [0, 1, -1, 40, -40, 15, 16, 17, 70_000, -70_000] {
+        for shift in (0..40).chain([-1, -40, 70_000, -65_535, -65_536, -65_537]) {
             let x = Float::with_val(bits, &one << shift);
             agree_at(&x);
             agree_at(&-x);
