@@ -18,6 +18,8 @@ struct State {
     lost: f64,
 }
 
+/// The opacity of a depth.
+type Opacity = fn(f64, Round) -> f64;
 /// Passes a segment of that depth and opacity.
 type Step = fn(&mut State, f64, f64, Round);
 
@@ -111,7 +113,7 @@ fn by_turns(state: &mut State, x: f64, alpha: f64, round: Round) {
     step(state, x, alpha, round);
 }
 
-fn examined(round: Round, opacity: fn(f64, Round) -> f64, step: Step) -> Examined {
+fn examined(round: Round, opacity: Opacity, step: Step) -> Examined {
     let radiance = move |segments: &Segments, channel: usize| {
         let (edges, middles) = (&segments.edges, &segments.middles);
         let mut radiance = 0.0;
@@ -200,7 +202,7 @@ fn towards_the_eye_products_are_seen_too() {
 
 #[test]
 fn where_answers_do_not_tell_nothing_is_said() {
-    let kernels: [(&str, fn(f64, Round) -> f64, Step); 7] = [
+    let kernels: [(&str, Opacity, Step); 7] = [
         // An opacity that has lost its digits is the same beside 1 and beside T.
         ("1 − e^(−x), products", subtraction, products),
         ("1 − e^(−x), what remains", subtraction, remainder),
