@@ -1,12 +1,14 @@
-"""`volver study` beside the tables of study_total.py: values first, then processor time.
+"""`volver study` beside the tables of study_total.py: values first, then processor time and peak memory.
 
 usage: study.py VOLVER [ROUNDS] [PYTHON] [split|total] [groups]
 
 Errors are split or total [split]; with `groups` rules of higher order are those over groups of segments.
 
-VOLVER is the program, or several of them with commas between, compared with each other too; PYTHON has python-flint and numpy.
+VOLVER is the program, or several of them with commas between, compared with each other too; PYTHON has python-flint,
+mpmath and numpy.
 Processes run in turn, ROUNDS times [15]; times are user and system together, medians and quartiles, what starting takes (`volver
---version`, the import of the library) taken off. Of numpy it is the time inside its process, from columns to the table.
+--version`, the import of the library) taken off. Of numpy it is the time inside its process, from columns to the table. Memory is the largest resident set of the whole
+process (ru_maxrss), start included.
 """
 import json
 import os
@@ -43,12 +45,12 @@ def study(program, bits, *more):
 
 
 def seconds(command):
-    """User and system time of a process."""
+    """User and system time of a process, and its peak memory in MiB."""
     process = subprocess.Popen(command, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
     _, status, usage = os.wait4(process.pid, 0)
     if status:
         sys.exit(f"{command[0]} ended with {status}")
-    return usage.ru_utime + usage.ru_stime
+    return usage.ru_utime + usage.ru_stime, usage.ru_maxrss / 1024
 
 
 def values(program, bits, part):
@@ -61,7 +63,8 @@ def values(program, bits, part):
 
 def compare(program):
     """The largest difference of any error: at 100 digits relative to it, in binary64 as it is."""
-    for library, bits, part, relative in [("flint", "mpfr:341", "discretization" if errors == "split" else "total", True), ("numpy", "f64", "total", False)]:
+    precise = "discretization" if errors == "split" else "total"
+    for library, bits, part, relative in [("flint", "mpfr:341", precise, True), ("mpmath", "mpfr:341", precise, True), ("numpy", "f64", "total", False)]:
         ours = values(program, bits, part)
         lines = subprocess.run([python, peer, library, "shared", "values", *groups], capture_output=True, text=True, check=True).stdout
         worst = 0.0
@@ -76,6 +79,10 @@ def compare(program):
 commands = {
     "start of python-flint": [python, "-c", "import flint"],
     "python-flint, shared": [python, peer, "flint", "shared", *groups],
+    "start of mpmath": [python, "-c", "import mpmath"],
+    "mpmath, shared": [python, peer, "mpmath", "shared", *groups],
+    "start of numpy": [python, "-c", "import numpy"],
+    "numpy, the whole process": [python, peer, "numpy", "shared", *groups],
 }
 for program in programs:
     compare(program)
@@ -83,9 +90,12 @@ for program in programs:
     commands[f"{program}, mpfr:341"] = study(program, "mpfr:341")
     commands[f"{program}, f64"] = study(program, "f64")
 times = {name: [] for name in [*commands, "numpy, shared"]}
+memory = {name: [] for name in commands}
 for _ in range(rounds):
     for name, command in commands.items():
-        times[name].append(seconds(command))
+        taken, peak = seconds(command)
+        times[name].append(taken)
+        memory[name].append(peak)
     inside = subprocess.run([python, "-c", IN_PROCESS], capture_output=True, text=True, check=True).stdout
     times["numpy, shared"].append(float(inside))
 
@@ -94,12 +104,15 @@ def row(name, start, peer_seconds):
     off = statistics.median(times[start]) if start else 0.0
     low, middle, high = (1e3 * (t - off) for t in statistics.quantiles(times[name], n=4, method="inclusive"))
     ratio = f", {middle / peer_seconds:.2f} of its peer" if peer_seconds else ""
-    print(f"{name}: {middle:.1f} ms ({low:.1f} to {high:.1f}){ratio}")
+    peak = f", {statistics.median(memory[name]):.0f} MiB" if name in memory else ""
+    print(f"{name}: {middle:.1f} ms ({low:.1f} to {high:.1f}){ratio}{peak}")
     return middle
 
 
 flint = row("python-flint, shared", "start of python-flint", None)
+row("mpmath, shared", "start of mpmath", flint)
 numpy = row("numpy, shared", None, None)
+row("numpy, the whole process", "start of numpy", numpy)
 for program in programs:
     row(f"{program}, mpfr:341", f"start of {program}", flint)
     row(f"{program}, f64", f"start of {program}", numpy)

@@ -1,10 +1,10 @@
 """The table of `volver study --errors total` by hand: 20 pairs of nested rules on C = sin s^2, tau = s cos s^2 over 10 levels.
 
-usage: study_total.py flint|numpy shared|alone [DIGITS] [values] [groups]
+usage: study_total.py flint|mpmath|numpy shared|alone [DIGITS] [values] [groups]
 
 shared: every node of the finest level and every exponential of an inner rule once; alone: each method and level by itself.
-Prints nothing, or with `values` a line for each inner rule, outer rule and n with the error. python-flint's balls stand for
-numbers of DIGITS digits and 12 more. With `groups` (shared) the rules of higher order are those over groups of segments, which
+Prints nothing, or with `values` a line for each inner rule, outer rule and n with the error. python-flint's balls and mpmath's
+numbers have DIGITS digits and 12 more. With `groups` (shared) the rules of higher order are those over groups of segments, which
 look at boundaries alone.
 """
 import sys
@@ -32,31 +32,43 @@ if "groups" in sys.argv:
     INNER = {rule: ([place // 4 for place in places], weights) for rule, (places, weights) in INNER.items() if set(places) <= {0, 4}}
 
 if library == "flint":
-    from flint import arb, ctx
+    from flint import arb as real, ctx
 
     ctx.dps = digits + 12
+    sine_cosine = real.sin_cos
+    exponential = real.exp
+    shown = lambda x: x.mid().str(25, radius=False)
+elif library == "mpmath":
+    from mpmath import exp as exponential, mp, mpf as real, nstr
+    from mpmath import cos, sin
+
+    mp.dps = digits + 12
+    sine_cosine = lambda x: (sin(x), cos(x))
+    shown = lambda x: nstr(x, 25)
+
+if library in ("flint", "mpmath"):
 
     def evaluate(places, n):
         values = []
         for j in places:
-            s = arb(j) / n
-            sine, cosine = (s * s).sin_cos()
+            s = real(j) / n
+            sine, cosine = sine_cosine(s * s)
             values.append((sine, s * cosine))
         return [c for c, _ in values], [t for _, t in values]
 
     def depths(tau, rule, n):
         """tau at places of segments -> depth at boundaries."""
-        depth, found = arb(0), [arb(0)]
+        depth, found = real(0), [real(0)]
         if rule in GROUPS:
             denominator, rows = GROUPS[rule]
-            rows = [[arb(weight) / denominator / n for weight in row] for row in rows]
+            rows = [[real(weight) / denominator / n for weight in row] for row in rows]
             for j in range(0, n, len(rows)):
                 front = found[-1]
                 for row in rows:
-                    found.append(front + sum((w * tau[j + k] for k, w in enumerate(row)), arb(0)))
+                    found.append(front + sum((w * tau[j + k] for k, w in enumerate(row)), real(0)))
             return found
         places, weights = INNER[rule]
-        weights = [arb(p) / q / n for p, q in weights]
+        weights = [real(p) / q / n for p, q in weights]
         for j in range(0, PARTS * n, PARTS):
             for place, weight in zip(places, weights):
                 depth += tau[j + place] * weight
@@ -64,20 +76,19 @@ if library == "flint":
         return found
 
     def attenuate(source, depth):
-        return [c * (-t).exp() for c, t in zip(source, depth)]
+        return [c * exponential(-t) for c, t in zip(source, depth)]
 
     def times(c, t):
         return [a * b for a, b in zip(c, t)]
 
     def total(f):
-        return sum(f, arb(0))
+        return sum(f, real(0))
 
     def number(p, q):
-        return arb(p) / q
+        return real(p) / q
 
-    one = arb(1)
-    EXACT = 2 - (one.sin() + 2) * (-one.sin() / 2).exp()
-    shown = lambda x: x.mid().str(25, radius=False)
+    sine_of_one, _ = sine_cosine(real(1))
+    EXACT = 2 - (sine_of_one + 2) * exponential(-sine_of_one / 2)
 else:
     import numpy as np
 

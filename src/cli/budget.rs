@@ -91,7 +91,7 @@ impl Memory {
     }
 }
 
-fn size(bytes: f64) -> String {
+pub(super) fn size(bytes: f64) -> String {
     let units = ["bytes", "KiB", "MiB", "GiB", "TiB", "PiB", "EiB"];
     scaled(bytes, &units, &[1024.0; 6])
 }

@@ -1,5 +1,7 @@
 //! `volver reference`: the radiance of a case to any number of digits.
 
+mod growth;
+
 use super::about::about;
 use super::budget::{Budget, MINUTE};
 use super::case::{self, SOURCES};
@@ -86,13 +88,22 @@ Examples:
 }
 
 fn digits(text: &str) -> Result<u32, String> {
-    let digits = text.parse().ok().filter(|d| (1..=MAX_DIGITS).contains(d));
+    // What is beyond the most is told what it would take.
+    let digits = text.parse().ok().filter(|digits| *digits > 0);
     digits.ok_or_else(|| format!("no number of digits (allowed: 1 to {MAX_DIGITS})"))
 }
 
 impl ReferenceValue {
     pub(crate) fn run(self) -> Result<Outcome, Failure> {
         let loaded = case::medium(&self.case)?;
+        let wrong = |error: ReferenceError| Failure::Content {
+            path: self.case.clone(),
+            error: error.into(),
+        };
+        if self.digits > MAX_DIGITS {
+            let refused = waiting("estimating", || self.beyond(&loaded.cases));
+            return Err(Failure::Usage(refused.map_err(wrong)?));
+        }
         self.budget(&loaded.cases).check(self.yes)?;
         let found: Result<Vec<Found<'_>>, ReferenceError> = waiting("integrating", || {
             loaded
@@ -101,10 +112,7 @@ impl ReferenceValue {
                 .map(|case| self.find(case))
                 .collect()
         });
-        let found = found.map_err(|error| Failure::Content {
-            path: self.case.clone(),
-            error: error.into(),
-        })?;
+        let found = found.map_err(wrong)?;
         let output = Output {
             out: None,
             files: vec![("--json", self.json.then_some(Path::new("-")))],
@@ -135,7 +143,7 @@ impl ReferenceValue {
             return budget;
         }
         let more = f64::from(self.digits) / f64::from(FEW_DIGITS);
-        let number = f64::from(self.digits) * LOG2_10 / 8.0 + HEADER_BYTES;
+        let number = bytes_of(self.digits);
         for case in cases {
             let start = Instant::now();
             // What fails will fail; a closed form takes no time.
@@ -148,6 +156,30 @@ impl ReferenceValue {
             }
         }
         budget
+    }
+
+    /// Why more digits than can be asked for are refused: what they would take.
+    fn beyond(&self, cases: &[Manufactured]) -> Result<String, ReferenceError> {
+        let growth = growth::measured(MAX_DIGITS, |digits| {
+            let mut bytes = 0.0;
+            for case in cases {
+                let few = self.value(case, bits_of(digits))?;
+                // A closed form has no points, and a few numbers.
+                let points = few.work.points.max(1) as f64;
+                bytes += points * NUMBERS_A_POINT * bytes_of(digits);
+            }
+            Ok(bytes)
+        })?;
+        let (bytes, seconds) = growth.at(self.digits);
+        let budget = Budget {
+            what: &format!("--digits {}: the radiance", self.digits),
+            bytes,
+            seconds,
+            usual: MINUTE,
+        };
+        Ok(format!(
+            "{budget}, by {growth} (allowed: 1 to {MAX_DIGITS})"
+        ))
     }
 
     /// The radiance in the way that was asked for.
@@ -178,6 +210,11 @@ impl ReferenceValue {
             difference,
         })
     }
+}
+
+/// A number of so many digits.
+fn bytes_of(digits: u32) -> f64 {
+    f64::from(digits) * LOG2_10 / 8.0 + HEADER_BYTES
 }
 
 fn bits_of(digits: u32) -> u32 {

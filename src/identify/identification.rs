@@ -2,7 +2,9 @@
 
 use super::rule::{self, Place, Rule};
 use super::scattered::Scattered;
-use super::{Accumulation, Exponential, HoldOut, NotIdentified, Optics, Spent, State};
+use super::{
+    Accumulation, Exponential, HoldOut, NotIdentified, Optics, Spent, State, Transmittance,
+};
 use crate::method::Method;
 
 /// What was found out about a kernel.
@@ -28,6 +30,8 @@ pub struct Identification {
     pub not_identified: Vec<NotIdentified>,
     /// In what order contributions are added.
     pub accumulation: Option<Accumulation>,
+    /// How transmittances are kept, where answers tell that.
+    pub transmittance: Option<Transmittance>,
     /// By how much exponentials are off, where that was seen.
     pub exponential: Option<Exponential>,
     /// What it cost.

@@ -43,6 +43,7 @@ mod stages;
 mod state;
 mod stated;
 mod together;
+mod transmittance;
 mod volume;
 mod weights;
 mod witness;
@@ -72,6 +73,7 @@ pub use silence::Silence;
 pub use state::{Batch, Name, Repeat, State};
 pub use stated::stated;
 pub use together::{Apart, TOGETHER, Together, together};
+pub use transmittance::Transmittance;
 pub use volume::{Lookup, Optics};
 pub use witness::{TaskError, Witness, witness};
 

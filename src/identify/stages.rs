@@ -11,6 +11,7 @@ use super::places::{self, Places, Samples};
 use super::rule::{Channels, End, Lattice, Law, Rule, Scheme, StopBy, Wall, Whole};
 use super::session::Session;
 use super::state::Name;
+use super::transmittance::transmittance;
 use super::weights::Answers;
 use super::{
     Bracket, Identification, NotIdentified, Parameter, VacuumFails, channels, free_places, holdout,
@@ -201,6 +202,10 @@ fn read(
         found.accumulation = accumulation(session, &sampled.rule, &answers, thin)?;
         let precision = found.hold_out.precision;
         found.exponential = exponential(session, &sampled.rule, precision, sampled.typical)?;
+        // Where segments are rounded more than answers it is not T that shows, and elsewhere T is no longer a product.
+        if answers.noise == 0.0 && answers.grain == 0.0 && !found.parts.subtracts {
+            found.transmittance = transmittance(session, &sampled.rule, precision)?;
+        }
     }
     found.rule = Some(sampled.rule);
     Ok(())

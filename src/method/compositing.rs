@@ -149,13 +149,38 @@ impl Compositing {
         stop: Stop,
         record: impl FnMut(&Number<N>),
     ) -> Result<(Number<N>, Option<u64>), MethodError> {
-        let format = nodes.format();
+        let samples = self.samples(nodes, n)?;
+        let (radiance, composited) = self.over(nodes.format(), samples, (n, stop), record);
+        Ok((radiance, (composited < n).then_some(composited)))
+    }
+
+    /// The radiance of samples that are given, C and the optical depth of each segment from the eye on.
+    pub(crate) fn radiance_of<F: Format>(
+        &self,
+        format: F,
+        samples: impl ExactSizeIterator<Item = (F::Real, F::Real)>,
+    ) -> F::Real {
+        let n = samples.len() as u64;
+        let samples = samples.map(|(emission, depth)| Sample { emission, depth });
+        let (radiance, _) = self.over(format, samples, (n, Stop::AsDeclared), |_| ());
+        radiance
+    }
+
+    /// The radiance of n samples, and how many of them were composited; `record` is shown T in front of each.
+    #[inline]
+    fn over<F: Format>(
+        &self,
+        format: F,
+        samples: impl Iterator<Item = Sample<F::Real>>,
+        (n, stop): (u64, Stop),
+        record: impl FnMut(&F::Real),
+    ) -> (F::Real, u64) {
         let count = match stop {
             Stop::After(count) => count.min(n),
             Stop::AsDeclared | Stop::Never => n,
         };
-        let samples = self.samples(nodes, n)?.take(length(count));
-        let (radiance, composited) = match self.order {
+        let samples = samples.take(length(count));
+        match self.order {
             CompositingOrder::FrontToBack {
                 depth,
                 summation,
@@ -175,8 +200,7 @@ impl Compositing {
                 (order::back_to_front(format, self.opacity, samples), count)
             }
             CompositingOrder::Tree => (order::by_tree(format, self.opacity, samples), count),
-        };
-        Ok((radiance, (composited < n).then_some(composited)))
+        }
     }
 
     /// The n samples, from front to back.

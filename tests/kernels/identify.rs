@@ -20,5 +20,6 @@ mod seldom;
 mod stated;
 mod steps;
 mod sums;
+mod transmittance;
 mod witness;
 mod words;

@@ -3,7 +3,7 @@
 use super::every::{Place, commands, names};
 use assert_cmd::cargo::cargo_bin_cmd;
 use predicates::prelude::*;
-use predicates::str::contains;
+use predicates::str::{contains, ends_with, starts_with};
 use std::fs;
 
 #[test]
@@ -69,6 +69,24 @@ fn what_takes_too_much_is_refused_with_what_it_takes_and_nothing_is_written() {
             .stdout("")
             .stderr(contains("volver: the radiance takes about "))
             .stderr(contains("without --yes)"))
+            .stderr(predicate::function(|text: &str| text.lines().count() == 1));
+    }
+    // What no --yes allows is told, too.
+    for arguments in [
+        "reference kink-moving --integrate --yes --digits 10000000",
+        "reference oscillating-field --estimate --digits 10000000",
+        "reference sine-squared --digits 10000000",
+    ] {
+        cargo_bin_cmd!("volver")
+            .args(arguments.split(' '))
+            .assert()
+            .code(2)
+            .stdout("")
+            .stderr(starts_with(
+                "volver: --digits 10000000: the radiance takes about ",
+            ))
+            .stderr(contains(" of memory and ").and(contains(" digits, which take ")))
+            .stderr(contains(" growing as digits^").and(ends_with("(allowed: 1 to 10000)\n")))
             .stderr(predicate::function(|text: &str| text.lines().count() == 1));
     }
     // A closed form is evaluated, however many digits it has.

@@ -2,6 +2,7 @@
 
 mod certify;
 mod choose;
+mod long;
 mod scenes;
 mod smooth;
 mod thick;

@@ -3,6 +3,7 @@
 mod costs;
 mod counting;
 mod fronts;
+mod remainder;
 
 use assert_cmd::Command;
 use assert_cmd::cargo::cargo_bin_cmd;

@@ -39,6 +39,9 @@ pub(in crate::report) struct Found<'a> {
     /// In what order contributions are added.
     #[serde(skip_serializing_if = "Option::is_none")]
     accumulation: Option<identify::Accumulation>,
+    /// How transmittances are kept.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    transmittance: Option<identify::Transmittance>,
     /// By how many units of 2^(−24) exponentials are off.
     #[serde(skip_serializing_if = "Option::is_none")]
     exponential: Option<identify::Exponential>,
@@ -216,6 +219,7 @@ pub(in crate::report) fn found(examined: &Examined) -> Result<Found<'_>, ReportE
         volume: found.optics.map(|optics| optics.to_string()),
         precision: found.hold_out.precision,
         accumulation: found.accumulation,
+        transmittance: found.transmittance,
         exponential: found.exponential,
         transmittance_by_subtraction: found.parts.subtracts,
         validated: found.hold_out.kinds.iter().map(held).collect(),

@@ -54,6 +54,9 @@ pub(super) fn rounding(found: &Identification) -> String {
     if let Some(order) = found.accumulation {
         words.push(format!("Contributions are added {order}."));
     }
+    if let Some(kept) = found.transmittance {
+        words.push(format!("Transmittances are {kept}."));
+    }
     if let Some(off) = found.exponential {
         words.push(format!(
             "All {off}, seen by what thousands of thin segments let through."

@@ -52,7 +52,7 @@ pub(super) fn run<F: Format>(
         let sums = radiance.iter_mut().zip(&mut transmittance);
         for ((radiance, transmittance), light) in sums.zip(&light) {
             *radiance += &(light.radiance.clone() * transmittance);
-            *transmittance *= &(-light.depth.clone()).exp();
+            *transmittance = behind(transmittance.clone(), &light.depth);
         }
     }
     if background {
@@ -79,6 +79,18 @@ pub(super) fn run<F: Format>(
         transmittance,
         evaluations,
     })
+}
+
+/// T behind a step of that depth: T − T α where the step is thin, so that what it takes is not rounded beside 1 and the errors
+/// of many steps go either way; T e^(−t) where it is not, and a difference would leave few digits of what remains.
+fn behind<R: Real>(transmittance: R, depth: &R) -> R {
+    let format = depth.format();
+    if depth.clone().abs() < format.fraction(1, 2) {
+        let taken = transmittance.clone() * &-(-depth.clone()).exp_m1();
+        transmittance - &taken
+    } else {
+        transmittance * &(-depth.clone()).exp()
+    }
 }
 
 /// The light of one step, by channel.

@@ -37,6 +37,8 @@ pub const METHODS: &[&str] = &[
     "front-to-back/middle/linear",
     "front-to-back/middle/expm1/neumaier",
     "front-to-back/middle/expm1/depths/neumaier",
+    "front-to-back/middle/expm1/remainder",
+    "front-to-back/middle/expm1/remainder/neumaier",
     "front-to-back/middle/expm1/pairwise",
     "front-to-back/middle/expm1/stop=1:255",
     "back-to-front/middle/expm1",
