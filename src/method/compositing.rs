@@ -130,7 +130,8 @@ impl Compositing {
         let CompositingOrder::FrontToBack { summation, .. } = self.order else {
             return None;
         };
-        let sum = self.samples(nodes, n).map(|samples| {
+        let sum = self.step(nodes, n).map(|step| {
+            let samples = self.samples(nodes, n, step);
             let mut sum = Sum::new(summation, nodes.format());
             for (sample, transmittance) in samples.zip(transmittances) {
                 let alpha = self.opacity.of(&sample.depth);
@@ -154,7 +155,11 @@ impl Compositing {
             Stop::After(count) => count.min(n),
             Stop::AsDeclared | Stop::Never => n,
         };
-        let samples = self.samples(nodes, n)?.take(length(count));
+        let step = self.step(nodes, n)?;
+        let even = nodes.everywhere();
+        let even = even.map(|transfer| Sample::new(transfer, &step));
+        let samples = || self.samples(nodes, n, step).take(length(count));
+        let opacity = self.opacity;
         let (radiance, composited) = match self.order {
             CompositingOrder::FrontToBack {
                 depth,
@@ -163,20 +168,38 @@ impl Compositing {
             } => {
                 let threshold = declared.filter(|_| stop == Stop::AsDeclared);
                 let order = FrontToBack {
-                    opacity: self.opacity,
+                    opacity,
                     depth,
                     summation,
                     threshold: threshold.map(|threshold| format.ratio(&threshold.value())),
                 };
-                order.composite(format, samples, record)
+                match even {
+                    Some(sample) => order.composite_even(sample, count, record),
+                    None => order.composite(format, samples(), record),
+                }
             }
             CompositingOrder::BackToFront => {
-                let samples = row(samples);
-                (order::back_to_front(format, self.opacity, samples), count)
+                let radiance = match even {
+                    Some(sample) => order::back_to_front_even(opacity, sample, count),
+                    None => order::back_to_front(format, opacity, row(samples())),
+                };
+                (radiance, count)
             }
-            CompositingOrder::Tree => (order::by_tree(format, self.opacity, samples), count),
+            CompositingOrder::Tree => {
+                let radiance = match even {
+                    Some(sample) => order::by_tree_even(opacity, sample, count),
+                    None => order::by_tree(format, opacity, samples()),
+                };
+                (radiance, count)
+            }
         };
         Ok((radiance, (composited < n).then_some(composited)))
+    }
+
+    /// d, of n segments.
+    fn step<N: Nodes>(&self, nodes: &N, n: u64) -> Result<Number<N>, MethodError> {
+        require_multiple(self, n, 1)?;
+        Ok(nodes.format().ratio(&(Rational::from(nodes.length()) / n)))
     }
 
     /// The n samples, from front to back.
@@ -184,11 +207,10 @@ impl Compositing {
         &self,
         nodes: &'a N,
         n: u64,
-    ) -> Result<impl Iterator<Item = Sample<Number<N>>> + use<'a, N>, MethodError> {
-        require_multiple(self, n, 1)?;
-        let step = nodes.format().ratio(&(Rational::from(nodes.length()) / n));
+        step: Number<N>,
+    ) -> impl Iterator<Item = Sample<Number<N>>> + use<'a, N> {
         let transfers = self.position.march(nodes, n);
-        Ok(transfers.map(move |transfer| Sample::new(transfer, &step)))
+        transfers.map(move |transfer| Sample::new(transfer, &step))
     }
 }
 
