@@ -180,8 +180,9 @@ fn replicas<T: LaneFloat>() {
         };
         for width in Width::there() {
             width.choose().expect("a width");
-            let ours =
-                || drawn_radiances(&method(0), &Sine, &length, n, &seeds).expect("radiances");
+            let ours = || {
+                drawn_radiances::<T, _>(&method(0), &Sine, &length, n, &seeds).expect("radiances")
+            };
             assert_eq!(ours(), in_lanes(), "the same operations");
             let what = format!("{sampling}, {}, of ", Native::<T>::new());
             compare(
