@@ -1,5 +1,6 @@
 //! Rays in lanes of every width that the processor has, beside the same in C, one ray after the other; one ray of a medium by
-//! formulas; and compositing of given samples beside C with eight rays side by side.
+//! formulas; replicas of random samples beside the library's own run of each; and compositing of given samples beside C with
+//! eight rays side by side.
 //!
 //! `lanes.c` is compiled here by `cc -O3 -march=native`. Answers are compared first; then all are timed in turn, by the
 //! processor's clock of this thread.
@@ -8,8 +9,8 @@
 
 use libloading::Library;
 use volver::case::manufacture::manufacture;
-use volver::case::{Fresh, Transfer, catalogue};
-use volver::method::{Method, RayMedium, composite_given, radiances};
+use volver::case::{Case, Fresh, SineSquared, Transfer, catalogue};
+use volver::method::{Method, RayMedium, composite_given, drawn_radiances, radiances};
 use volver::real::Native;
 use volver::real::lanes::{LaneFloat, LaneFormat, Lanes, Width};
 use volver_benches::{Compared, compiled, seconds};
@@ -17,6 +18,10 @@ use volver_benches::{Compared, compiled, seconds};
 /// Rays, and segments of each.
 const RAYS: usize = 256;
 const SEGMENTS: usize = 512;
+/// Random samples; n² of them where they are independent.
+const INDEPENDENT: &str = "monte-carlo-independent";
+const FEW: usize = 64;
+const SAMPLINGS: [&str; 3] = ["monte-carlo", "monte-carlo-stratified", INDEPENDENT];
 /// Segments of one ray.
 const LONG: u64 = 1 << 18;
 /// Samples of each of eight rays: in the caches, and beyond the last.
@@ -47,6 +52,8 @@ fn main() {
     );
     many_rays(&library);
     one_ray(&library);
+    replicas::<f64>();
+    replicas::<f32>();
     given(&library);
 }
 
@@ -129,6 +136,64 @@ fn one_ray(library: &Library) {
             ours,
             scalar,
         );
+    }
+}
+
+/// C = sin s², τ = s cos s², in every lane.
+struct Sine;
+
+impl<T: LaneFloat> RayMedium<T> for Sine {
+    #[inline(always)]
+    fn transfer<L: Lanes<Element = T>>(&self, _: usize, s: L) -> Transfer<L> {
+        let (sin, cos) = Lanes::sin_cos(s * s);
+        Transfer {
+            emission: sin,
+            extinction: s * cos,
+        }
+    }
+}
+
+/// Seeds 0 … [`RAYS`] − 1 side by side, of one after the other in the same format and in the native one.
+fn replicas<T: LaneFloat>() {
+    for sampling in SAMPLINGS {
+        let method = |seed| -> Method {
+            let name = format!("{sampling}@{seed}/trapezoid");
+            name.parse().expect("a method")
+        };
+        let (n, samples) = if sampling == INDEPENDENT {
+            (FEW, FEW * FEW)
+        } else {
+            (SEGMENTS, SEGMENTS)
+        };
+        let (n, samples) = (n as u64, RAYS * samples);
+        let seeds: Vec<u64> = (0..RAYS as u64).collect();
+        let length = SineSquared.length();
+        let in_lanes = || {
+            let nodes = Fresh::new(&SineSquared, LaneFormat::<T>::new());
+            let alone = |&seed: &u64| method(seed).radiance(&nodes, n).expect("a radiance").0;
+            seeds.iter().map(alone).collect::<Vec<T>>()
+        };
+        let native = || {
+            let nodes = Fresh::new(&SineSquared, Native::<T>::new());
+            let alone = |&seed: &u64| method(seed).radiance(&nodes, n).expect("a radiance");
+            seeds.iter().map(alone).collect::<Vec<T>>()
+        };
+        for width in Width::there() {
+            width.choose().expect("a width");
+            let ours = || {
+                drawn_radiances::<T, _>(&method(0), &Sine, &length, n, &seeds).expect("radiances")
+            };
+            assert_eq!(ours(), in_lanes(), "the same operations");
+            let what = format!("{sampling}, {}, of ", Native::<T>::new());
+            compare(
+                &(what.clone() + "each alone"),
+                width,
+                samples,
+                ours,
+                in_lanes,
+            );
+            compare(&(what + "native"), width, samples, ours, native);
+        }
     }
 }
 

@@ -99,6 +99,12 @@ pub trait Nodes: Debug + Sync {
     /// D.
     fn length(&self) -> &Rational;
 
+    /// C and τ, where these nodes know that s, C and τ are the same all along the ray: methods then compute a segment once,
+    /// and have the bits of n segments computed each by itself.
+    fn everywhere(&self) -> Option<Transfer<Number<Self>>> {
+        None
+    }
+
     /// The n + 1 values at D·i/n, i = 0 … n.
     fn boundaries(&self, n: u64) -> Arc<Column<Number<Self>>>;
 

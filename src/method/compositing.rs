@@ -130,7 +130,8 @@ impl Compositing {
         let CompositingOrder::FrontToBack { summation, .. } = self.order else {
             return None;
         };
-        let sum = self.samples(nodes, n).map(|samples| {
+        let sum = self.step(nodes, n).map(|step| {
+            let samples = self.samples(nodes, n, step);
             let mut sum = Sum::new(summation, nodes.format());
             for (sample, transmittance) in samples.zip(transmittances) {
                 let alpha = self.opacity.of(&sample.depth);
@@ -149,8 +150,11 @@ impl Compositing {
         stop: Stop,
         record: impl FnMut(&Number<N>),
     ) -> Result<(Number<N>, Option<u64>), MethodError> {
-        let samples = self.samples(nodes, n)?;
-        let (radiance, composited) = self.over(nodes.format(), samples, (n, stop), record);
+        let step = self.step(nodes, n)?;
+        let even = nodes.everywhere();
+        let even = even.map(|transfer| Sample::new(transfer, &step));
+        let samples = || self.samples(nodes, n, step);
+        let (radiance, composited) = self.over(nodes.format(), (even, samples), (n, stop), record);
         Ok((radiance, (composited < n).then_some(composited)))
     }
 
@@ -162,16 +166,17 @@ impl Compositing {
     ) -> F::Real {
         let n = samples.len() as u64;
         let samples = samples.map(|(emission, depth)| Sample { emission, depth });
-        let (radiance, _) = self.over(format, samples, (n, Stop::AsDeclared), |_| ());
+        let (radiance, _) = self.over(format, (None, || samples), (n, Stop::AsDeclared), |_| ());
         radiance
     }
 
-    /// The radiance of n samples, and how many of them were composited; `record` is shown T in front of each.
+    /// The radiance of n samples, and how many of them were composited; `record` is shown T in front of each. Where all are alike
+    /// that one comes first.
     #[inline]
-    fn over<F: Format>(
+    fn over<F: Format, S: Iterator<Item = Sample<F::Real>>>(
         &self,
         format: F,
-        samples: impl Iterator<Item = Sample<F::Real>>,
+        (even, samples): (Option<Sample<F::Real>>, impl FnOnce() -> S),
         (n, stop): (u64, Stop),
         record: impl FnMut(&F::Real),
     ) -> (F::Real, u64) {
@@ -179,7 +184,8 @@ impl Compositing {
             Stop::After(count) => count.min(n),
             Stop::AsDeclared | Stop::Never => n,
         };
-        let samples = samples.take(length(count));
+        let samples = || samples().take(length(count));
+        let opacity = self.opacity;
         match self.order {
             CompositingOrder::FrontToBack {
                 depth,
@@ -188,19 +194,37 @@ impl Compositing {
             } => {
                 let threshold = declared.filter(|_| stop == Stop::AsDeclared);
                 let order = FrontToBack {
-                    opacity: self.opacity,
+                    opacity,
                     depth,
                     summation,
                     threshold: threshold.map(|threshold| format.ratio(&threshold.value())),
                 };
-                order.composite(format, samples, record)
+                match even {
+                    Some(sample) => order.composite_even(sample, count, record),
+                    None => order.composite(format, samples(), record),
+                }
             }
             CompositingOrder::BackToFront => {
-                let samples = row(samples);
-                (order::back_to_front(format, self.opacity, samples), count)
+                let radiance = match even {
+                    Some(sample) => order::back_to_front_even(opacity, sample, count),
+                    None => order::back_to_front(format, opacity, row(samples())),
+                };
+                (radiance, count)
             }
-            CompositingOrder::Tree => (order::by_tree(format, self.opacity, samples), count),
+            CompositingOrder::Tree => {
+                let radiance = match even {
+                    Some(sample) => order::by_tree_even(opacity, sample, count),
+                    None => order::by_tree(format, opacity, samples()),
+                };
+                (radiance, count)
+            }
         }
+    }
+
+    /// d, of n segments.
+    fn step<N: Nodes>(&self, nodes: &N, n: u64) -> Result<Number<N>, MethodError> {
+        require_multiple(self, n, 1)?;
+        Ok(nodes.format().ratio(&(Rational::from(nodes.length()) / n)))
     }
 
     /// The n samples, from front to back.
@@ -208,11 +232,10 @@ impl Compositing {
         &self,
         nodes: &'a N,
         n: u64,
-    ) -> Result<impl Iterator<Item = Sample<Number<N>>> + use<'a, N>, MethodError> {
-        require_multiple(self, n, 1)?;
-        let step = nodes.format().ratio(&(Rational::from(nodes.length()) / n));
+        step: Number<N>,
+    ) -> impl Iterator<Item = Sample<Number<N>>> + use<'a, N> {
         let transfers = self.position.march(nodes, n);
-        Ok(transfers.map(move |transfer| Sample::new(transfer, &step)))
+        transfers.map(move |transfer| Sample::new(transfer, &step))
     }
 }
 

@@ -5,7 +5,7 @@ use super::outer::CompositeWeights;
 use super::{Exponential, Inner, Outer, Scope};
 use crate::case::{Nodes, Number, Transfer};
 use crate::quadrature::Rule;
-use crate::real::Format;
+use crate::real::{Format, Real};
 use rug::Rational;
 
 /// The radiance by marching, with the same bits as from columns of nodes; `None` where one of the
@@ -53,9 +53,12 @@ fn march<N: Nodes>(
     let format = nodes.format();
     let step = format.ratio(&(Rational::from(nodes.length()) / n));
     let segment = |front, back: &Number<N>| mean(front, back) * &step;
-    let radiance = match scope {
-        Scope::Whole if N::Format::IN_LANES => in_rows(exponential, nodes, n, weights, segment),
-        Scope::Whole => {
+    let radiance = match (nodes.everywhere(), scope) {
+        (Some(transfer), _) => even((exponential, scope), n, weights, transfer, segment),
+        (None, Scope::Whole) if N::Format::IN_LANES => {
+            in_rows(exponential, nodes, n, weights, segment)
+        }
+        (None, Scope::Whole) => {
             let mut depth = format.int(0);
             let start = exponential.of_negative(&depth);
             accumulate(nodes, n, weights, start, |front, back, transmittance| {
@@ -63,7 +66,7 @@ fn march<N: Nodes>(
                 exponential.set_of_negative(transmittance, &depth);
             })
         }
-        Scope::PerSegment => {
+        (None, Scope::PerSegment) => {
             let start = format.int(1);
             accumulate(nodes, n, weights, start, |front, back, transmittance| {
                 *transmittance *= &exponential.of_negative(&segment(front, back));
@@ -109,6 +112,41 @@ fn accumulate<N: Nodes>(
     }
     if let Some(place) = places.next() {
         add(front, place, &outer.last);
+    }
+    sum
+}
+
+/// The same of a ray that is the same everywhere; `depth_of` gives the depth of its segments.
+fn even<R: Real>(
+    (exponential, scope): (Exponential, Scope),
+    n: u64,
+    outer: &CompositeWeights<R>,
+    transfer: Transfer<R>,
+    depth_of: impl Fn(R, &R) -> R,
+) -> R {
+    let Transfer {
+        emission,
+        extinction,
+    } = transfer;
+    let format = extinction.format();
+    let source = emission * &extinction;
+    let segment = depth_of(extinction.clone(), &extinction);
+    let mut depth = format.int(0);
+    let mut sum = depth.clone();
+    let (mut transmittance, through) = match scope {
+        Scope::Whole => (exponential.of_negative(&depth), None),
+        Scope::PerSegment => (format.int(1), Some(exponential.of_negative(&segment))),
+    };
+    for j in 0..=n {
+        match &through {
+            _ if j == 0 => {}
+            Some(through) => transmittance *= through,
+            None => {
+                depth += &segment;
+                exponential.set_of_negative(&mut transmittance, &depth);
+            }
+        }
+        sum += &(source.clone() * &transmittance * outer.at(j, n));
     }
     sum
 }

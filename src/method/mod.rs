@@ -43,7 +43,7 @@ pub(crate) use preintegrated::attenuated_integral;
 pub use preintegrated::{
     Color, Integration, Interpolant, LastSegment, Opacity, Preintegrated, composite,
 };
-pub use rays::{RayError, RayMedium, composite_given, radiances};
+pub use rays::{RayError, RayMedium, composite_given, drawn_radiances, radiances};
 pub use theorem::Theorem;
 
 use crate::case::{AnyNodes, Case, Nodes, Number, Structure};

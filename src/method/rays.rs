@@ -3,9 +3,11 @@
 // What takes lanes must be inlined into the function that has the instructions.
 #![allow(clippy::inline_always)]
 
+mod drawn;
 mod given;
 mod march;
 
+pub use drawn::drawn_radiances;
 pub use given::composite_given;
 
 use super::{
@@ -32,6 +34,14 @@ pub enum RayError {
         "method {method} does not go in lanes (allowed: trapezoid/trapezoid, midpoint/trapezoid, front-to-back/POSITION/OPACITY[/depths|/remainder] with subtraction, expm1 or linear)"
     )]
     Method {
+        /// Its name.
+        method: String,
+    },
+    /// A method that draws no samples, or goes on with them in a way of its own.
+    #[error(
+        "method {method} does not draw in lanes (allowed: SAMPLING@SEED/RULE with monte-carlo, monte-carlo-independent or monte-carlo-stratified, by riemann-left, riemann-right, trapezoid, simpson or boole)"
+    )]
+    Undrawn {
         /// Its name.
         method: String,
     },

@@ -83,12 +83,24 @@ impl Draw {
         format.fraction(self.numerator, Self::DENOMINATOR)
     }
 
-    /// Which of n equal parts of [0, 1) it lies in, and where in that part: the same in every format.
+    /// The number, which binary64 has.
+    #[must_use]
+    pub fn value(self) -> f64 {
+        self.numerator as f64 / Self::DENOMINATOR as f64
+    }
+
+    /// Which of n equal parts of [0, 1) it lies in: the same in every format.
+    #[must_use]
+    pub fn part(self, n: u64) -> usize {
+        let scaled = u128::from(self.numerator) * u128::from(n);
+        usize::try_from(scaled / u128::from(Self::DENOMINATOR)).unwrap_or(usize::MAX)
+    }
+
+    /// That part, and where in it the number lies.
     #[must_use]
     pub fn segment(self, n: u64) -> (usize, Rational) {
         let scaled = u128::from(self.numerator) * u128::from(n);
         let one = u128::from(Self::DENOMINATOR);
-        let index = usize::try_from(scaled / one).unwrap_or(usize::MAX);
-        (index, Rational::from((scaled % one, one)))
+        (self.part(n), Rational::from((scaled % one, one)))
     }
 }

@@ -53,7 +53,7 @@ impl Fixed {
     }
 
     /// The largest number, in quanta.
-    const fn largest(self) -> i64 {
+    pub(crate) const fn largest(self) -> i64 {
         (1 << (self.integer + self.fraction)) - 1
     }
 
@@ -97,6 +97,15 @@ impl Fixed {
         let quanta = quanta.and_then(|quanta| quanta.to_i64()).unwrap_or(end);
         FixedReal::new(self, Some(quanta))
     }
+}
+
+/// x/2^bits to the nearest integer, ties to even.
+fn nearest_shifted(x: i128, bits: u32) -> i128 {
+    let below = x >> bits;
+    // Twice what is cut off, in units of the last bit that is kept.
+    let rest = (x - (below << bits)) << 1;
+    let up = rest > 1 << bits || (rest == 1 << bits && below & 1 == 1);
+    below + i128::from(up)
 }
 
 /// numerator/denominator to the nearest integer, ties to even; denominator > 0.

@@ -10,6 +10,7 @@
 
 mod compositing;
 mod definitions;
+mod even;
 mod layers;
 mod method;
 mod method_names;

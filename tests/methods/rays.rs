@@ -5,7 +5,7 @@
 
 use rug::Rational;
 use volver::case::{Case, Fresh, Structure, Transfer};
-use volver::method::{Method, RayError, RayMedium, composite_given, radiances};
+use volver::method::{Method, RayError, RayMedium, composite_given, drawn_radiances, radiances};
 use volver::real::lanes::{LaneFloat, LaneFormat, LaneReal, Lanes, Width};
 use volver::real::{Format, Real};
 
@@ -119,6 +119,57 @@ fn rays_side_by_side_are_the_rays_themselves() {
     are_the_rays_themselves::<f32>(&1.into(), 1);
 }
 
+/// Each sampling under outer rules of every kind, each ray with a seed of its own, against the library's own run of each
+/// ray with its seed.
+fn drawn_rays_are_the_rays_themselves<T: LaneFloat>(length: &Rational, n: u64) {
+    let seeds: Vec<u64> = (0..RAYS as u64).map(|ray| ray * ray + 3).collect();
+    for sampling in [
+        "monte-carlo",
+        "monte-carlo-independent",
+        "monte-carlo-stratified",
+    ] {
+        for outer in [
+            "trapezoid",
+            "riemann-left",
+            "riemann-right",
+            "simpson",
+            "boole",
+        ] {
+            let method = |seed: u64| -> Method {
+                let name = format!("{sampling}@{seed}/{outer}");
+                name.parse().unwrap()
+            };
+            let alone: Vec<T> = seeds
+                .iter()
+                .enumerate()
+                .map(|(ray, &seed)| {
+                    let case = Alone {
+                        ray,
+                        length: length.clone(),
+                    };
+                    let nodes = Fresh::new(&case, LaneFormat::<T>::new());
+                    let LaneReal(radiance) = method(seed).radiance(&nodes, n).unwrap();
+                    radiance
+                })
+                .collect();
+            assert!(alone.windows(2).all(|pair| pair[0] != pair[1]));
+            for width in Width::there() {
+                width.choose().unwrap();
+                let medium = Medium::<T>::new();
+                let found = drawn_radiances(&method(0), &medium, length, n, &seeds).unwrap();
+                assert_eq!(found, alone, "{sampling}/{outer} in {width}");
+            }
+        }
+    }
+}
+
+#[test]
+fn rays_of_random_samples_side_by_side_are_the_rays_themselves() {
+    drawn_rays_are_the_rays_themselves::<f64>(&(13, 10).into(), 36);
+    drawn_rays_are_the_rays_themselves::<f32>(&(13, 10).into(), 36);
+    drawn_rays_are_the_rays_themselves::<f64>(&(1, 3).into(), 4);
+}
+
 #[test]
 fn given_samples_are_composited_ray_by_ray() {
     let (rays, segments) = (21, 300);
@@ -174,6 +225,22 @@ fn what_does_not_go_in_lanes_is_refused_in_one_line() {
         assert!(matches!(&error, RayError::Method { method } if method == name));
         assert!(!error.to_string().contains('\n'));
     }
+    let draw = |name: &str, n| {
+        let method: Method = name.parse().unwrap();
+        drawn_radiances(&method, &Medium::<f64>::new(), &1.into(), n, &[1, 2, 3])
+    };
+    for name in [
+        "trapezoid/trapezoid",
+        "monte-carlo@1/midpoint",
+        "monte-carlo@1/trapezoid/linear",
+        "front-to-back/middle/expm1",
+    ] {
+        let error = draw(name, 4).unwrap_err();
+        assert!(matches!(&error, RayError::Undrawn { method } if method == name));
+        assert!(!error.to_string().contains('\n'));
+    }
+    let error = draw("monte-carlo@1/simpson", 3).unwrap_err();
+    assert!(matches!(error, RayError::Segments(_)), "{error}");
     let error = run("trapezoid/trapezoid", 0).unwrap_err();
     assert!(matches!(error, RayError::Segments(_)), "{error}");
     for (colors, opacities, rays) in [(6, 6, 4), (6, 5, 3), (6, 6, 0)] {

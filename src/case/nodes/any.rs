@@ -37,6 +37,7 @@ type Transfers<'a, F> = Box<dyn Iterator<Item = Transfer<<F as Format>::Real>> +
 trait Ask<F: Format>: Debug + Sync {
     fn format(&self) -> F;
     fn length(&self) -> &Rational;
+    fn everywhere(&self) -> Option<Transfer<F::Real>>;
     fn boundaries(&self, n: u64) -> Arc<Column<F::Real>>;
     fn march(&self, n: u64) -> Transfers<'_, F>;
     fn rows(&self, n: u64) -> Rows<'_, F::Real>;
@@ -56,6 +57,9 @@ impl<N: Nodes> Ask<N::Format> for N {
     }
     fn length(&self) -> &Rational {
         Nodes::length(self)
+    }
+    fn everywhere(&self) -> Option<Transfer<Number<N>>> {
+        Nodes::everywhere(self)
     }
     fn boundaries(&self, n: u64) -> Arc<Column<Number<N>>> {
         Nodes::boundaries(self, n)
@@ -100,6 +104,9 @@ impl<F: Format> Nodes for AnyNodes<'_, F> {
     }
     fn length(&self) -> &Rational {
         self.0.length()
+    }
+    fn everywhere(&self) -> Option<Transfer<F::Real>> {
+        self.0.everywhere()
     }
     fn boundaries(&self, n: u64) -> Arc<Column<F::Real>> {
         self.0.boundaries(n)

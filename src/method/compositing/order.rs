@@ -53,12 +53,14 @@ impl<R: Real> FrontToBack<R> {
         samples: impl Iterator<Item = Sample<R>>,
         mut record: impl FnMut(&R),
     ) -> (R, u64) {
-        let mut so_far = SoFar::new(self, format);
+        let one = format.int(1);
+        let mut so_far = SoFar::new(self, format, &one);
         // One loop each: the shorter one is to be one with the evaluation of the case.
         if R::Format::IN_LANES {
             for (sample, alpha) in in_rows(self.opacity, samples) {
                 record(&so_far.transmittance);
-                if so_far.passes(self, sample, alpha) {
+                let segment = Segment::new(self.depth, sample, alpha, &one);
+                if so_far.passes(self, segment) {
                     break;
                 }
             }
@@ -66,18 +68,62 @@ impl<R: Real> FrontToBack<R> {
             for sample in samples {
                 let alpha = self.opacity.of(&sample.depth);
                 record(&so_far.transmittance);
-                if so_far.passes(self, sample, alpha) {
+                let segment = Segment::new(self.depth, sample, alpha, &one);
+                if so_far.passes(self, segment) {
                     break;
                 }
             }
         }
         (so_far.radiance.value(), so_far.composited)
     }
+
+    /// The same of `count` segments that are all alike.
+    pub(super) fn composite_even(
+        &self,
+        sample: Sample<R>,
+        count: u64,
+        mut record: impl FnMut(&R),
+    ) -> (R, u64) {
+        let format = sample.depth.format();
+        let one = format.int(1);
+        let mut so_far = SoFar::new(self, format, &one);
+        let alpha = self.opacity.of(&sample.depth);
+        let segment = Segment::new(self.depth, sample, alpha, &one);
+        for _ in 0..count {
+            record(&so_far.transmittance);
+            if so_far.passes(self, segment.clone()) {
+                break;
+            }
+        }
+        (so_far.radiance.value(), so_far.composited)
+    }
+}
+
+/// What a segment shows, and what it does to what is seen through it.
+#[derive(Clone)]
+struct Segment<R> {
+    /// C α.
+    shown: R,
+    /// 1 − α, τ d or α: what T comes from.
+    effect: R,
+}
+
+impl<R: Real> Segment<R> {
+    #[inline]
+    fn new(depth: Accumulation, sample: Sample<R>, alpha: R, one: &R) -> Self {
+        Segment {
+            shown: sample.emission * &alpha,
+            effect: match depth {
+                Accumulation::Transmittances => one.clone() - &alpha,
+                Accumulation::Depths => sample.depth,
+                Accumulation::Remainder => alpha,
+            },
+        }
+    }
 }
 
 /// What has been composited from the eye on.
 struct SoFar<R> {
-    one: R,
     radiance: Sum<R>,
     /// The depth, or what remains.
     passed: Sum<R>,
@@ -86,35 +132,33 @@ struct SoFar<R> {
 }
 
 impl<R: Real> SoFar<R> {
-    fn new(way: &FrontToBack<R>, format: R::Format) -> Self {
-        let one = format.int(1);
+    fn new(way: &FrontToBack<R>, format: R::Format, one: &R) -> Self {
         let mut passed = Sum::new(way.summation, format);
         if way.depth == Accumulation::Remainder {
-            passed.add(&one);
+            passed.add(one);
         }
         SoFar {
             radiance: Sum::new(way.summation, format),
             passed,
             transmittance: one.clone(),
             composited: 0,
-            one,
         }
     }
 
-    /// Passes a segment of that opacity; whether the ray ends behind it.
+    /// Passes a segment; whether the ray ends behind it.
     #[inline]
-    fn passes(&mut self, way: &FrontToBack<R>, sample: Sample<R>, alpha: R) -> bool {
-        let light = sample.emission * &alpha * &self.transmittance;
+    fn passes(&mut self, way: &FrontToBack<R>, segment: Segment<R>) -> bool {
+        let light = segment.shown * &self.transmittance;
         self.radiance.add(&light);
         self.composited += 1;
         match way.depth {
-            Accumulation::Transmittances => self.transmittance *= &(self.one.clone() - &alpha),
+            Accumulation::Transmittances => self.transmittance *= &segment.effect,
             Accumulation::Depths => {
-                self.passed.add(&sample.depth);
+                self.passed.add(&segment.effect);
                 self.transmittance = (-self.passed.value()).exp();
             }
             Accumulation::Remainder => {
-                self.passed.add(&-(alpha * &self.transmittance));
+                self.passed.add(&-(segment.effect * &self.transmittance));
                 self.transmittance = self.passed.value();
             }
         }
@@ -148,9 +192,22 @@ pub(super) fn back_to_front<R: Real>(
     let one = format.int(1);
     let mut radiance = format.int(0);
     for sample in samples.into_iter().rev() {
-        let alpha = opacity.of(&sample.depth);
-        radiance *= &(one.clone() - &alpha);
-        radiance += &(sample.emission * &alpha);
+        Stretch::new(opacity, sample, &one).cover(&mut radiance);
+    }
+    radiance
+}
+
+/// The same of `count` segments that are all alike.
+pub(super) fn back_to_front_even<R: Real>(
+    opacity: OpacityFormula,
+    sample: Sample<R>,
+    count: u64,
+) -> R {
+    let format = sample.depth.format();
+    let segment = Stretch::new(opacity, sample, &format.int(1));
+    let mut radiance = format.int(0);
+    for _ in 0..count {
+        segment.cover(&mut radiance);
     }
     radiance
 }
@@ -164,14 +221,17 @@ pub(super) fn by_tree<R: Real>(
     let one = format.int(1);
     let mut tree = Tree::new();
     for sample in samples {
-        let alpha = opacity.of(&sample.depth);
-        let stretch = Stretch {
-            radiance: sample.emission * &alpha,
-            transmittance: one.clone() - &alpha,
-        };
-        tree.push(stretch, Stretch::over);
+        tree.push(Stretch::new(opacity, sample, &one), Stretch::over);
     }
     let whole = tree.root(Stretch::over);
+    whole.map_or_else(|| format.int(0), |whole| whole.radiance)
+}
+
+/// The same of `count` segments that are all alike.
+pub(super) fn by_tree_even<R: Real>(opacity: OpacityFormula, sample: Sample<R>, count: u64) -> R {
+    let format = sample.depth.format();
+    let segment = Stretch::new(opacity, sample, &format.int(1));
+    let whole = Tree::of_equal(segment, count, Stretch::over);
     whole.map_or_else(|| format.int(0), |whole| whole.radiance)
 }
 
@@ -183,6 +243,23 @@ struct Stretch<R> {
 }
 
 impl<R: Real> Stretch<R> {
+    /// That of one segment.
+    #[inline]
+    fn new(opacity: OpacityFormula, sample: Sample<R>, one: &R) -> Self {
+        let alpha = opacity.of(&sample.depth);
+        Stretch {
+            radiance: sample.emission * &alpha,
+            transmittance: one.clone() - &alpha,
+        }
+    }
+
+    /// Puts this in front of what shines with that radiance.
+    #[inline]
+    fn cover(&self, behind: &mut R) {
+        *behind *= &self.transmittance;
+        *behind += &self.radiance;
+    }
+
     fn over(self, behind: Self) -> Self {
         let through = behind.radiance * &self.transmittance;
         Stretch {

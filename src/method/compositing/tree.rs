@@ -19,6 +19,29 @@ impl<T> Tree<T> {
         }
     }
 
+    /// The merged whole of n things that are all like `item`: complete trees of as many are the same, whichever they are.
+    pub(super) fn of_equal(item: T, mut n: u64, merge: impl Fn(T, T) -> T) -> Option<T>
+    where
+        T: Clone,
+    {
+        let mut complete = item;
+        let mut whole = None;
+        while n > 0 {
+            if n & 1 == 1 {
+                // The smaller trees are behind.
+                whole = Some(match whole {
+                    None => complete.clone(),
+                    Some(behind) => merge(complete.clone(), behind),
+                });
+            }
+            n >>= 1;
+            if n > 0 {
+                complete = merge(complete.clone(), complete);
+            }
+        }
+        whole
+    }
+
     /// Puts one more behind the others; `merge` is given what is in front first.
     pub(super) fn push(&mut self, mut item: T, merge: impl Fn(T, T) -> T) {
         self.count = self.count.wrapping_add(1);

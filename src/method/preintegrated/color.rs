@@ -10,7 +10,7 @@ use crate::method::MethodError;
 use crate::method::breaks::{Allowed, Meeting};
 use crate::method::limit::{Limit, Part, euler_maclaurin};
 use crate::quadrature::Rule;
-use crate::real::{Format, Real, row, try_row};
+use crate::real::{Format, Real, row};
 use rug::Rational;
 use std::fmt;
 
@@ -34,15 +34,16 @@ impl Color {
     pub fn segments<N: Nodes>(&self, nodes: &N, n: u64) -> Result<Vec<Number<N>>, MethodError> {
         let format = nodes.format();
         let step = format.ratio(&(Rational::from(nodes.length()) / n.max(1)));
-        let fields = self.interpolant.segments(nodes, n)?;
         match self.integration {
             Integration::Closed => {
-                try_row(fields.iter().map(|field| self.closed(nodes, field, &step)))
+                let integrate = |field: &_| self.closed(nodes, field, &step);
+                self.interpolant.integrals(nodes, n, integrate)
             }
             Integration::SubIntervals { count, rule } => {
+                self.interpolant.check_segments(n)?;
                 let sum = CompositeSum::new(rule, count, format)?;
-                let fields = fields.iter();
-                try_row(fields.map(|field| self.by_rule(nodes, field, &step, rule, &sum)))
+                let integrate = |field: &_| self.by_rule(nodes, field, &step, rule, &sum);
+                self.interpolant.integrals(nodes, n, integrate)
             }
         }
     }

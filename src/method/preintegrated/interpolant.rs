@@ -2,7 +2,7 @@
 
 use crate::case::{Nodes, Number, Structure};
 use crate::method::error::MethodError;
-use crate::real::{Format, Real, row};
+use crate::real::{Format, Real, row, try_row};
 use rug::Rational;
 use std::fmt;
 
@@ -95,6 +95,26 @@ impl Interpolant {
                 segments
             }
         })
+    }
+
+    /// What `integrate` makes of each segment's polynomial: once, where all are the same.
+    pub(super) fn integrals<N: Nodes>(
+        self,
+        nodes: &N,
+        n: u64,
+        integrate: impl Fn(&[Number<N>]) -> Result<Number<N>, MethodError>,
+    ) -> Result<Vec<Number<N>>, MethodError> {
+        let of_all = |n| {
+            let fields = self.segments(nodes, n)?;
+            try_row(fields.iter().map(|field| integrate(field)))
+        };
+        // Parabolas have formulas of their own at the far end.
+        if self == Interpolant::Linear && n > 0 && nodes.everywhere().is_some() {
+            let count = usize::try_from(n).unwrap_or(usize::MAX);
+            let first = of_all(1)?;
+            return Ok(first.into_iter().cycle().take(count).collect());
+        }
+        of_all(n)
     }
 }
 

@@ -8,7 +8,7 @@ use crate::method::MethodError;
 use crate::method::breaks::{Allowed, Meeting};
 use crate::method::limit::{Limit, Part};
 use crate::quadrature::Rule;
-use crate::real::{Format, Real, row, try_row};
+use crate::real::{Format, Real, row};
 use rug::Rational;
 use std::fmt;
 
@@ -31,8 +31,7 @@ impl Opacity {
         let step = format.ratio(&(Rational::from(nodes.length()) / n.max(1)));
         let end = format.int(1);
         let grid = self.integration.boundaries(format)?;
-        let fields = self.interpolant.segments(nodes, n)?;
-        try_row(fields.iter().map(|field| {
+        self.interpolant.integrals(nodes, n, |field| {
             let depth = match self.integration {
                 Integration::Closed => evaluate_depth(&closed_depth(nodes, field, &step)?, &end),
                 Integration::SubIntervals { rule, .. } => {
@@ -41,7 +40,7 @@ impl Opacity {
                 }
             };
             Ok((-depth).exp())
-        }))
+        })
     }
 
     /// What a break allows the integral over τ(s̄).

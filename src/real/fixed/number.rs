@@ -1,6 +1,6 @@
 //! Numbers of fixed-point formats.
 
-use super::{Fixed, nearest};
+use super::{Fixed, nearest, nearest_shifted};
 use crate::real::Real;
 use rug::float::Round;
 use rug::ops::AssignRound;
@@ -39,7 +39,7 @@ impl FixedReal {
     /// That many of the finer quanta of this number and the other, rounded once to this format.
     fn sum(&self, other: &Self, quanta: i128) -> Self {
         let finer = other.format.fraction.saturating_sub(self.format.fraction);
-        self.format.saturate(nearest(quanta, 1 << finer))
+        self.format.saturate(nearest_shifted(quanta, finer))
     }
 
     fn nan(&self) -> Self {
@@ -111,7 +111,7 @@ impl<'a> Mul<&'a FixedReal> for FixedReal {
         };
         let product = i128::from(a) * i128::from(b);
         self.format
-            .saturate(nearest(product, 1 << other.format.fraction))
+            .saturate(nearest_shifted(product, other.format.fraction))
     }
 }
 

@@ -24,7 +24,7 @@ use constants::Constants;
 use fearless_simd::SimdFloatElement;
 
 /// The most lanes there are.
-const MOST: usize = 16;
+pub(crate) const MOST: usize = 16;
 
 /// A type that lanes are made of: `f32` and `f64`.
 pub trait LaneFloat: NativeFloat + Constants + SimdFloatElement + Lanes<Element = Self> {

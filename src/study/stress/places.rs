@@ -54,6 +54,9 @@ impl<F: Format> Nodes for Places<'_, F> {
     fn length(&self) -> &Rational {
         self.fresh.length()
     }
+    fn everywhere(&self) -> Option<Transfer<F::Real>> {
+        self.uniform.as_ref().map(|(_, transfer)| transfer.clone())
+    }
     fn boundaries(&self, n: u64) -> Arc<Column<F::Real>> {
         let uniform = self.column(n.saturating_add(1));
         uniform.unwrap_or_else(|| self.fresh.boundaries(n))

@@ -34,6 +34,10 @@ pub(super) trait Range: Format {
     fn is_subnormal(x: &Self::Real) -> bool;
     /// At the end where the format saturates.
     fn is_end(x: &Self::Real) -> bool;
+    /// None of all that: neither 0, nor subnormal, nor at an end, nor infinite, nor NaN.
+    fn is_ordinary(x: &Self::Real) -> bool;
+    /// |a|/|b| of numbers that are not 0, in binary64.
+    fn quotient(a: &Self::Real, b: &Self::Real) -> f64;
 }
 
 fn floating(bits: u32, emin: f64) -> Rounding {
@@ -65,6 +69,15 @@ impl<T: NativeFloat> Range for Native<T> {
     fn is_end(_: &T) -> bool {
         false
     }
+    #[inline]
+    fn is_ordinary(x: &T) -> bool {
+        x.is_normal()
+    }
+    #[inline]
+    fn quotient(a: &T, b: &T) -> f64 {
+        let wide = |x: &T| x.to_f64().unwrap_or(f64::NAN);
+        (wide(a) / wide(b)).abs()
+    }
 }
 
 impl<T: LaneFloat> Range for LaneFormat<T> {
@@ -87,6 +100,14 @@ impl<T: LaneFloat> Range for LaneFormat<T> {
     fn is_end(_: &LaneReal<T>) -> bool {
         false
     }
+    #[inline]
+    fn is_ordinary(x: &LaneReal<T>) -> bool {
+        Native::is_ordinary(&x.0)
+    }
+    #[inline]
+    fn quotient(a: &LaneReal<T>, b: &LaneReal<T>) -> f64 {
+        Native::quotient(&a.0, &b.0)
+    }
 }
 
 impl Range for Ieee {
@@ -106,6 +127,15 @@ impl Range for Ieee {
     }
     fn is_end(_: &Self::Real) -> bool {
         false
+    }
+    fn is_ordinary(x: &Self::Real) -> bool {
+        // Other numbers have no exponent.
+        let exponent = x.as_float().get_exp();
+        exponent.is_some_and(|exponent| exponent > x.format().emin())
+    }
+    fn quotient(a: &Self::Real, b: &Self::Real) -> f64 {
+        let ((a, of_a), (b, of_b)) = (a.as_float().to_f64_exp(), b.as_float().to_f64_exp());
+        (a / b).abs() * (f64::from(of_a) - f64::from(of_b)).exp2()
     }
 }
 
@@ -127,6 +157,14 @@ impl Range for Fixed {
         false
     }
     fn is_end(x: &FixedReal) -> bool {
-        x.abs().quanta() == x.format().int(i64::MAX).quanta()
+        let quanta = x.quanta().map(i64::abs);
+        quanta == Some(x.format().largest())
+    }
+    fn is_ordinary(x: &FixedReal) -> bool {
+        !Self::is_zero(x) && x.is_finite() && !Self::is_end(x)
+    }
+    fn quotient(a: &FixedReal, b: &FixedReal) -> f64 {
+        let quanta = |x: &FixedReal| x.quanta().map_or(f64::NAN, |quanta| quanta as f64);
+        (quanta(a) / quanta(b)).abs()
     }
 }

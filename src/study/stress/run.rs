@@ -7,7 +7,7 @@ use super::judge::{Ran, digits, relative_error, verdict};
 use super::medium::Medium;
 use super::method::Kind;
 use super::places::Places;
-use super::promise::{Promise, promise};
+use super::promise::{Facts, Promise, promise};
 use super::range::Range;
 use super::scenario::Scenario;
 use super::watched::{Events, Watched};
@@ -23,6 +23,7 @@ use crate::study::Progress;
 use half::{bf16, f16};
 use rug::{Float, Rational};
 use std::cmp::Reverse;
+use std::sync::OnceLock;
 
 /// What to run.
 #[derive(Clone, Debug)]
@@ -54,19 +55,27 @@ pub fn run(settings: &Settings, progress: &dyn Progress) -> Result<Vec<Cell>, St
             });
         }
     }
-    let mut tasks = Vec::new();
+    let mut rays = Vec::new();
     for scenario in &settings.scenarios {
         for method in &settings.methods {
-            let kind = Kind::of(method)?;
-            for &format in &settings.formats {
-                tasks.push((tasks.len(), scenario, method, kind, format));
-            }
+            rays.push(Ray {
+                scenario,
+                method,
+                kind: Kind::of(method)?,
+                known: OnceLock::new(),
+            });
         }
     }
-    tasks.sort_by_key(|(_, scenario, ..)| Reverse(scenario.n));
-    let mut cells = parallel::map(&tasks, |&(place, scenario, method, kind, format)| {
-        let cell = cell(scenario, method, kind, format);
-        progress.advance(units(kind, format, scenario.n));
+    let mut tasks = Vec::new();
+    for ray in &rays {
+        for &format in &settings.formats {
+            tasks.push((tasks.len(), ray, format));
+        }
+    }
+    tasks.sort_by_key(|(_, ray, _)| Reverse(ray.scenario.n));
+    let mut cells = parallel::map(&tasks, |&(place, ray, format)| {
+        let cell = ray.cell(format);
+        progress.advance(units(ray.kind, format, ray.scenario.n));
         (place, cell)
     });
     cells.sort_by_key(|(place, _)| *place);
@@ -98,54 +107,12 @@ fn units(kind: Kind, format: FormatName, n: u64) -> u64 {
     }
 }
 
-fn cell(scenario: &Scenario, method: &Method, kind: Kind, format: FormatName) -> Cell {
-    let mut cell = Cell {
-        scenario: scenario.name.clone(),
-        method: method.name(),
-        format: format.to_string(),
-        n: scenario.n,
-        digits: None,
-        against_radiance: None,
-        promised: 0.0,
-        verdict: None,
-        reason: None,
-    };
-    if let Some(reason) = left_out(kind, format, scenario.n) {
-        cell.verdict = Some(Verdict::LeftOut);
-        cell.reason = Some(reason);
-        return cell;
-    }
-    let known = exact(&scenario.medium, method, kind, scenario.n);
-    let run = known.and_then(|exact| {
-        let run = Run {
-            scenario,
-            method,
-            kind,
-            exact: &exact,
-        };
-        match format {
-            FormatName::F16 => run.fill(&mut cell, Native::<f16>::new()),
-            FormatName::Bf16 => run.fill(&mut cell, Native::<bf16>::new()),
-            FormatName::F32 => run.fill(&mut cell, Native::<f32>::new()),
-            FormatName::F64 => run.fill(&mut cell, Native::<f64>::new()),
-            FormatName::F32Lanes => run.fill(&mut cell, LaneFormat::<f32>::new()),
-            FormatName::F64Lanes => run.fill(&mut cell, LaneFormat::<f64>::new()),
-            FormatName::Ieee(format) => run.fill(&mut cell, format),
-            FormatName::Fixed(format) => run.fill(&mut cell, format),
-            // Refused beforehand.
-            FormatName::Mpfr(_) => Ok(()),
-        }
-    });
-    if let Err(error) = run {
-        cell.verdict = Some(Verdict::Refused);
-        cell.reason = Some(error.to_string());
-    }
-    cell
-}
-
 /// Why a cell is not run.
 fn left_out(kind: Kind, format: FormatName, n: u64) -> Option<String> {
-    let slow_format = !matches!(format, FormatName::F32 | FormatName::F64);
+    let slow_format = !matches!(
+        format,
+        FormatName::F32 | FormatName::F64 | FormatName::F32Lanes | FormatName::F64Lanes
+    );
     let keeps = match kind {
         Kind::Simpson => true,
         Kind::Composited(compositing) => compositing.order == CompositingOrder::BackToFront,
@@ -164,27 +131,81 @@ fn left_out(kind: Kind, format: FormatName, n: u64) -> Option<String> {
     (n > most).then(|| format!("more than {most} segments {why}"))
 }
 
-struct Run<'a> {
+/// A method on a scenario, in whatever format.
+struct Ray<'a> {
     scenario: &'a Scenario,
     method: &'a Method,
     kind: Kind,
-    exact: &'a Exact,
+    /// What is known without rounding, once for all formats.
+    known: OnceLock<Result<Known, MethodError>>,
 }
 
-impl Run<'_> {
-    /// Runs it in a format and says what came of it.
-    fn fill<F: Range>(&self, cell: &mut Cell, format: F) -> Result<(), MethodError> {
+/// What is known without rounding.
+struct Known {
+    exact: Exact,
+    facts: Facts,
+}
+
+impl Ray<'_> {
+    fn cell(&self, format: FormatName) -> Cell {
+        let Scenario { name, n, .. } = self.scenario;
+        let mut cell = Cell {
+            scenario: name.clone(),
+            method: self.method.name(),
+            format: format.to_string(),
+            n: *n,
+            digits: None,
+            against_radiance: None,
+            promised: 0.0,
+            verdict: None,
+            reason: None,
+        };
+        if let Some(reason) = left_out(self.kind, format, *n) {
+            cell.verdict = Some(Verdict::LeftOut);
+            cell.reason = Some(reason);
+            return cell;
+        }
+        let run = match self.known.get_or_init(|| self.without_rounding()) {
+            Err(error) => Err(error.clone()),
+            Ok(known) => match format {
+                FormatName::F16 => self.fill(&mut cell, known, Native::<f16>::new()),
+                FormatName::Bf16 => self.fill(&mut cell, known, Native::<bf16>::new()),
+                FormatName::F32 => self.fill(&mut cell, known, Native::<f32>::new()),
+                FormatName::F64 => self.fill(&mut cell, known, Native::<f64>::new()),
+                FormatName::F32Lanes => self.fill(&mut cell, known, LaneFormat::<f32>::new()),
+                FormatName::F64Lanes => self.fill(&mut cell, known, LaneFormat::<f64>::new()),
+                FormatName::Ieee(format) => self.fill(&mut cell, known, format),
+                FormatName::Fixed(format) => self.fill(&mut cell, known, format),
+                // Refused beforehand.
+                FormatName::Mpfr(_) => Ok(()),
+            },
+        };
+        if let Err(error) = run {
+            cell.verdict = Some(Verdict::Refused);
+            cell.reason = Some(error.to_string());
+        }
+        cell
+    }
+
+    fn without_rounding(&self) -> Result<Known, MethodError> {
         let Scenario { medium, n, .. } = self.scenario;
+        let exact = exact(medium, self.method, self.kind, *n)?;
+        let facts = facts(medium, *n, self.kind, &exact.approximation);
+        Ok(Known { exact, facts })
+    }
+
+    /// Runs it in a format and says what came of it.
+    fn fill<F: Range>(&self, cell: &mut Cell, known: &Known, format: F) -> Result<(), MethodError> {
+        let Known { exact, facts } = known;
         let rounding = format.rounding();
         let ran = self.observe(format)?;
-        let facts = facts(medium, *n, self.kind, &self.exact.approximation);
-        let promise = promise(self.kind, &facts, &rounding);
+        let promise = promise(self.kind, facts, &rounding);
         let error = |exact| relative_error(&ran.radiance, exact);
-        cell.digits = error(&self.exact.approximation).map(digits);
-        let radiance = self.exact.radiance.as_ref();
+        cell.digits = error(&exact.approximation).map(digits);
+        let radiance = exact.radiance.as_ref();
         cell.against_radiance = radiance.and_then(|exact| error(exact).map(digits));
         cell.promised = Promise::digits(promise.roundoff + promise.underflow);
-        cell.verdict = verdict(&ran, self.exact, &promise, &rounding, *n);
+        cell.verdict = verdict(&ran, exact, &promise, &rounding, self.scenario.n);
         Ok(())
     }
 

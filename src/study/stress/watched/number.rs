@@ -19,14 +19,16 @@ pub(in crate::study::stress) struct Observed<F: Format> {
 }
 
 /// |a|/|b| of numbers that are not 0: never 0 itself, however small.
-pub(super) fn quotient<R: Real>(a: &R, b: &R) -> f32 {
+#[inline]
+pub(super) fn quotient<F: Range>(a: &F::Real, b: &F::Real) -> f32 {
     #[allow(clippy::cast_possible_truncation)] // An estimate, and saturating.
-    let quotient = (a.log2_abs() - b.log2_abs()).exp2() as f32;
+    let quotient = F::quotient(a, b) as f32;
     quotient.max(f32::MIN_POSITIVE)
 }
 
 impl<F: Range> Observed<F> {
     /// A function of this number. `spoils`: its value may underflow, as no other's can.
+    #[inline]
     fn map(self, spoils: bool, function: impl FnOnce(F::Real) -> F::Real) -> Self {
         let was = (self.value.is_finite(), F::is_zero(&self.value));
         let value = function(self.value);
@@ -43,6 +45,9 @@ impl<F: Range> Observed<F> {
 /// What befell a result of finite operands; `exact_zero`: it may be 0, or small, without loss.
 #[inline]
 pub(super) fn after<F: Range>(result: &F::Real, finite: bool, exact_zero: bool) -> Events {
+    if F::is_ordinary(result) {
+        return Events::NONE;
+    }
     if !result.is_finite() {
         return if finite {
             Events::OVERFLOW
@@ -111,10 +116,10 @@ impl<F: Range> Real for Observed<F> {
         }
         let one = argument.format().int(1);
         if result.lost > 0.0 {
-            result.lost *= quotient(&argument, &one);
+            result.lost *= quotient::<F>(&argument, &one);
         }
         if result.value == one {
-            result.lost += quotient(&argument, &one);
+            result.lost += quotient::<F>(&argument, &one);
         }
         result
     }

@@ -21,30 +21,41 @@ impl<'a, F: Range> AddAssign<&'a Observed<F>> for Observed<F> {
     #[inline]
     fn add_assign(&mut self, other: &'a Self) {
         let old = self.value.clone();
-        let finite = old.is_finite() && other.value.is_finite();
         self.value += &other.value;
-        // Sums of small numbers are exact.
         self.events |= other.events;
-        self.events |= after::<F>(&self.value, finite, true);
-        if !finite || F::is_zero(&other.value) {
-            return;
-        }
-        if F::is_zero(&old) {
-            self.lost = other.lost;
-            return;
-        }
-        if self.lost > 0.0 || other.lost > 0.0 {
+        // Of most sums there is nothing to say but what their terms had lost.
+        let is_term = self.value == old || self.value == other.value;
+        if is_term || !F::is_ordinary(&self.value) {
+            self.see_sum(&old, other);
+        } else if self.lost > 0.0 || other.lost > 0.0 {
             self.lost = self.lost_by_both(&old, other);
-        }
-        if self.value == old {
-            self.lost += quotient(&other.value, &self.value);
-        } else if self.value == other.value {
-            self.lost += quotient(&old, &self.value);
         }
     }
 }
 
 impl<F: Range> Observed<F> {
+    /// What became of a sum, which is this number by now, that is one of its terms or no ordinary number.
+    fn see_sum(&mut self, old: &F::Real, other: &Self) {
+        let finite = old.is_finite() && other.value.is_finite();
+        // Sums of small numbers are exact.
+        self.events |= after::<F>(&self.value, finite, true);
+        if !finite || F::is_zero(&other.value) {
+            return;
+        }
+        if F::is_zero(old) {
+            self.lost = other.lost;
+            return;
+        }
+        if self.lost > 0.0 || other.lost > 0.0 {
+            self.lost = self.lost_by_both(old, other);
+        }
+        if self.value == *old {
+            self.lost += quotient::<F>(&other.value, &self.value);
+        } else if self.value == other.value {
+            self.lost += quotient::<F>(old, &self.value);
+        }
+    }
+
     /// What two summands had lost, relative to their sum, which is this number by now.
     fn lost_by_both(&mut self, old: &F::Real, other: &Self) -> f32 {
         if F::is_negative(old) == F::is_negative(&other.value) {
@@ -54,8 +65,8 @@ impl<F: Range> Observed<F> {
             self.events |= Events::VANISHED;
             return 0.0;
         }
-        let own = self.lost * quotient(old, &self.value);
-        own + other.lost * quotient(&other.value, &self.value)
+        let own = self.lost * quotient::<F>(old, &self.value);
+        own + other.lost * quotient::<F>(&other.value, &self.value)
     }
 }
 
