@@ -18,6 +18,7 @@ impl Place {
         for made in [
             "plan scene.toml --tolerance 1e-3 --no-check --quiet --json plan.json",
             "study --cases vacuum --methods midpoint/midpoint --formats f32 --levels 8,16 --quiet --out study",
+            "study --cases vacuum --methods midpoint/midpoint --formats f32 --levels 8,16 --quiet --out sharded --shard 1/1",
             "verify --cases sine-squared --ladder 8..64 --quiet --save base.json method:tree/middle/expm1",
         ] {
             assert_cmd::cargo::cargo_bin_cmd!("volver")
@@ -69,6 +70,7 @@ pub(crate) fn commands() -> Vec<(&'static str, &'static str)> {
             "gradient-test -",
             "0.4,8e-2\n0.2,2e-2\n0.1,5e-3\n0.05,1.25e-3\n",
         ),
+        ("merge sharded", ""),
         ("cases vacuum", ""),
         ("manufacture vacuum --code c", ""),
         ("prove sine-squared --no-check", ""),
