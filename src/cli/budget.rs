@@ -96,7 +96,8 @@ pub(super) fn size(bytes: f64) -> String {
     scaled(bytes, &units, &[1024.0; 6])
 }
 
-fn time(seconds: f64) -> String {
+/// Seconds in a unit that suits them.
+pub(super) fn time(seconds: f64) -> String {
     scaled(
         seconds,
         &["s", "min", "h", "days", "years"],

@@ -1,8 +1,8 @@
 //! `volver merge`: what the shards of a study have finished, as one machine writes it.
 
-use super::output::{Output, noun, said};
-use super::study::results::{self, JOURNAL};
-use super::{Color, Failure, Outcome, waiting, write_out};
+use super::output::{noun, said};
+use super::study::results::{self, Forms, JOURNAL};
+use super::{Failure, Outcome, waiting, write_out};
 use clap::Args;
 use std::collections::BTreeSet;
 use std::fmt::Write;
@@ -43,32 +43,14 @@ pub(crate) struct Merge {
     /// Show what is done until all is, then join
     #[arg(long)]
     watch: bool,
-    /// Write one JSON document; - is standard output, without the table
-    #[arg(long, value_name = "FILE")]
-    json: Option<PathBuf>,
-    /// Write all levels as CSV; - is standard output, without the table
-    #[arg(long, value_name = "FILE")]
-    csv: Option<PathBuf>,
-    /// Print no table
-    #[arg(long)]
-    quiet: bool,
-    /// Colour the verdicts
-    #[arg(long, value_enum, default_value = "auto", value_name = "WHEN")]
-    color: Color,
+    #[command(flatten)]
+    forms: Forms,
 }
 
 impl Merge {
     pub(crate) fn run(self) -> Result<Outcome, Failure> {
         let division: Division<Divided> = Division::open(&self.directory).map_err(said)?;
-        let output = Output {
-            out: Some(&self.directory),
-            files: vec![
-                ("--json", self.json.as_deref()),
-                ("--csv", self.csv.as_deref()),
-            ],
-            quiet: self.quiet,
-            color: self.color,
-        };
+        let output = self.forms.output(Some(&self.directory));
         output.check()?;
         let gathered = if self.watch {
             self.watch(&division)?
@@ -164,7 +146,7 @@ impl Merge {
                     _ => String::new(),
                 }
             );
-            if line != shown && !self.quiet {
+            if line != shown && !self.forms.quiet {
                 let mut err = io::stderr().lock();
                 // Nobody is left to tell where standard error is closed.
                 let _ = if err.is_terminal() {
@@ -175,7 +157,7 @@ impl Merge {
                 shown = line;
             }
             if gathered.len() == keys.len() {
-                if io::stderr().is_terminal() && !self.quiet {
+                if io::stderr().is_terminal() && !self.forms.quiet {
                     let _ = io::Write::write_all(&mut io::stderr().lock(), b"\n");
                 }
                 return Ok(gathered);

@@ -12,12 +12,13 @@ mod shard;
 
 use super::about::about;
 use super::budget::{Budget, HOUR, WORK};
-use super::output::{Output, said};
-use super::{Bar, Color, Failure, Outcome, waiting};
+use super::output::said;
+use super::{Bar, Failure, Outcome, waiting};
 use asked::Asking;
 use clap::Args;
 use formats::Formats;
 pub(super) use formats::names as format_names;
+use results::Forms;
 use shard::Sharding;
 use std::path::PathBuf;
 use std::thread;
@@ -97,18 +98,8 @@ pub(crate) struct Study {
     /// Run even if it takes more than 2 GiB of memory or 1 h
     #[arg(long)]
     yes: bool,
-    /// Write one JSON document; - is standard output, without the table
-    #[arg(long, value_name = "FILE")]
-    json: Option<PathBuf>,
-    /// Write all levels as CSV; - is standard output, without the table
-    #[arg(long, value_name = "FILE")]
-    csv: Option<PathBuf>,
-    /// Print no table
-    #[arg(long)]
-    quiet: bool,
-    /// Colour the verdicts
-    #[arg(long, value_enum, default_value = "auto", value_name = "WHEN")]
-    color: Color,
+    #[command(flatten)]
+    forms: Forms,
 }
 
 impl Study {
@@ -149,10 +140,15 @@ impl Study {
             usual: HOUR,
         };
         budget.check(self.yes)?;
-        self.output().check()?;
+        self.forms.output(self.out.as_deref()).check()?;
         budget.announce();
         let units = self.units(&sweep, &work.header, threads, &estimate)?;
-        results::hand_out(work, units, &about(), &self.output())
+        results::hand_out(
+            work,
+            units,
+            &about(),
+            &self.forms.output(self.out.as_deref()),
+        )
     }
 
     fn threads(&self) -> usize {
@@ -194,18 +190,5 @@ impl Study {
         bar.finish();
         ran.map_err(said)?;
         journal.finish(header).map_err(said)
-    }
-
-    /// Where reports go to.
-    fn output(&self) -> Output<'_> {
-        Output {
-            out: self.out.as_deref(),
-            files: vec![
-                ("--json", self.json.as_deref()),
-                ("--csv", self.csv.as_deref()),
-            ],
-            quiet: self.quiet,
-            color: self.color,
-        }
     }
 }

@@ -2,10 +2,11 @@
 
 use super::Study;
 use super::engine::{Array, Engine};
-use crate::cli::budget::{Budget, HOUR};
+use crate::cli::budget::{Budget, HOUR, time};
 use crate::cli::output::{noun, said};
 use crate::cli::{Bar, Failure, Outcome, write_out};
 use clap::Args;
+use std::io::{self, IsTerminal, Write};
 use std::path::{Path, PathBuf};
 use std::str::FromStr;
 use volver::render;
@@ -154,6 +155,18 @@ impl Study {
                     Engine::Shell => array.shell(),
                 };
                 write_out(&said)?;
+                let (mean, slowest) = division.seconds();
+                let threads = array.threads as f64;
+                // Beside lines that are for a shell.
+                if io::stderr().is_terminal() {
+                    // Who does not hear it has lost nothing.
+                    let _ = writeln!(
+                        io::stderr(),
+                        "a shard takes about {}, the slowest {}",
+                        time(mean / threads),
+                        time(slowest / threads)
+                    );
+                }
                 Ok(Outcome::Good)
             }
             (None, None) => Ok(Outcome::Good),
@@ -206,7 +219,7 @@ impl Study {
         bar.finish();
         ran.map_err(said)?;
         let file = shard.into_shard().finish().map_err(said)?;
-        if !self.quiet {
+        if !self.forms.quiet {
             let again = match before {
                 0 => String::new(),
                 before => format!(", {before} of them by earlier runs"),

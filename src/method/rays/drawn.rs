@@ -190,15 +190,11 @@ impl<T: LaneFloat, M: RayMedium<T>> Rays<'_, T, M> {
     ) -> Vec<L> {
         let Rays { ray, medium } = self;
         let width = zero.all(ray.step);
-        let mut depth = zero;
-        let mut depths = Vec::with_capacity(ray.boundaries.len());
-        depths.push(depth);
-        for &front in &ray.fronts {
+        let of_segments = ray.fronts.iter().map(|&front| {
             let lambda = zero.load(numbers.next()) * width + zero.all(front);
-            depth = depth + medium.transfer(first, lambda).extinction * width;
-            depths.push(depth);
-        }
-        depths
+            medium.transfer(first, lambda).extinction * width
+        });
+        summed(zero, of_segments)
     }
 
     /// t at the boundaries, of n samples on the whole ray.
@@ -226,14 +222,7 @@ impl<T: LaneFloat, M: RayMedium<T>> Rays<'_, T, M> {
             }
         }
         let step = zero.all(ray.step);
-        let mut depth = zero;
-        let mut depths = Vec::with_capacity(ray.boundaries.len());
-        depths.push(depth);
-        for sum in &sums {
-            depth = depth + zero.load(sum) * step;
-            depths.push(depth);
-        }
-        depths
+        summed(zero, sums.iter().map(|sum| zero.load(sum) * step))
     }
 
     /// t at the boundaries, of n samples in front of each.
@@ -273,4 +262,14 @@ impl<T: LaneFloat, M: RayMedium<T>> Rays<'_, T, M> {
         }
         sum * zero.all(ray.step)
     }
+}
+
+/// Depths in front of all segments and behind the last.
+#[inline(always)]
+fn summed<L: Lanes>(zero: L, of_segments: impl Iterator<Item = L>) -> Vec<L> {
+    let sums = of_segments.scan(zero, |depth, of_segment| {
+        *depth = *depth + of_segment;
+        Some(*depth)
+    });
+    std::iter::once(zero).chain(sums).collect()
 }

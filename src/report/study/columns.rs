@@ -2,7 +2,7 @@
 
 use crate::render::ReportError;
 use crate::study::shards::Key;
-use crate::study::sweep::{LevelRecord, Line, Results, State};
+use crate::study::sweep::{LevelRecord, Line, Part, Results, State};
 use parquet::basic::{Compression, ZstdLevel};
 use parquet::data_type::{
     BoolType, ByteArray, ByteArrayType, DataType, DoubleType, Int32Type, Int64Type,
@@ -51,7 +51,7 @@ const COLUMNS: [(&str, Of); 19] = [
     ),
     (
         "beyond_binary64",
-        Of::Flag(|row| parts(row.level).into_iter().flatten().any(is_beyond)),
+        Of::Flag(|row| parts(row.level).any(is_beyond)),
     ),
     ("radiance", Of::Real(|row| real(Some(&row.line.radiance)))),
     ("total", Of::Real(|row| real(row.level.total.as_ref()))),
@@ -86,27 +86,22 @@ fn has_failed(state: &State) -> bool {
     }
 }
 
-fn parts(level: &LevelRecord) -> [Option<&Float>; 7] {
-    let LevelRecord {
-        total,
-        floor,
-        discretization,
-        truncation,
-        input,
-        arithmetic,
-        resolution,
-        ..
-    } = level;
-    [
-        total,
-        floor,
-        discretization,
-        truncation,
-        input,
-        arithmetic,
-        resolution,
-    ]
-    .map(Option::as_ref)
+fn parts(level: &LevelRecord) -> impl Iterator<Item = &Float> {
+    let floor = level.floor.as_ref().into_iter();
+    let resolution = level.resolution.as_ref().into_iter();
+    let of = |part| level.part(part).into_iter();
+    let parts = [
+        Part::Total,
+        Part::Discretization,
+        Part::Truncation,
+        Part::Input,
+        Part::Arithmetic,
+    ];
+    parts
+        .into_iter()
+        .flat_map(of)
+        .chain(floor)
+        .chain(resolution)
 }
 
 /// Whether a number is too small or too large for binary64.

@@ -237,6 +237,23 @@ impl<W: Divisible> Division<W> {
         self.ends.len()
     }
 
+    /// Seconds that a shard takes in the mean, and the slowest one, as they are foreseen. No shard takes less than its dearest unit,
+    /// so that many shards of few dear units are uneven.
+    #[must_use]
+    pub fn seconds(&self) -> (f64, f64) {
+        let mut begin = 0;
+        let sums = self.ends.iter().map(|&end| {
+            let units = self.costs.get(begin..end).unwrap_or_default();
+            begin = end;
+            units.iter().sum::<f64>()
+        });
+        let slowest = sums.fold(0.0, f64::max);
+        (
+            self.costs.iter().sum::<f64>() / self.shards().max(1) as f64,
+            slowest,
+        )
+    }
+
     /// The units of a shard, counted from 1.
     ///
     /// # Errors

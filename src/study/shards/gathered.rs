@@ -2,9 +2,9 @@
 
 use super::FileError;
 use super::division::{Divisible, Division, DivisionError};
+use super::head::{Head, PART, WHOLE};
 use super::key::Key;
 use super::line::{next, opened};
-use super::shard::{Head, PART, WHOLE};
 use serde::Deserialize;
 use serde_json::value::RawValue;
 use std::collections::HashMap;

@@ -8,6 +8,7 @@
 mod cut;
 mod division;
 mod gathered;
+mod head;
 mod key;
 mod line;
 mod shard;

@@ -2,52 +2,16 @@
 
 use super::division::{Divisible, Division, DivisionError};
 use super::gathered::Gathered;
+use super::head::{Head, PART, WHOLE, head_of};
 use super::key::Key;
-use super::line::{next, opened, sealed};
+use super::line::sealed;
 use super::{FileError, temporary};
-use serde::{Deserialize, Serialize};
+use serde::Serialize;
 use std::collections::{BTreeMap, BTreeSet};
 use std::fs::{self, File};
-use std::io::{BufReader, Write};
+use std::io::Write;
 use std::path::{Path, PathBuf};
 use tempfile::NamedTempFile;
-
-/// The end of the name of a file that is being written.
-pub(super) const PART: &str = ".part";
-/// The end of the name of one that is whole.
-pub(super) const WHOLE: &str = ".jsonl";
-
-/// The first line of a file.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
-#[serde(deny_unknown_fields)]
-pub(super) struct Head {
-    pub(super) volver: String,
-    pub(super) division: Key,
-    pub(super) shard: usize,
-    pub(super) of: usize,
-}
-
-impl Head {
-    pub(super) fn new<W: Divisible>(division: &Division<W>, shard: usize) -> Head {
-        Head {
-            volver: division.volver.clone(),
-            division: division.digest(),
-            shard,
-            of: division.shards(),
-        }
-    }
-
-    /// What names of the shard's files begin with.
-    pub(super) fn stem(&self) -> String {
-        format!("{}-of-{}", self.shard, self.of)
-    }
-}
-
-/// The first line of a file, where it is one of a shard's.
-pub(super) fn head_of(path: &Path) -> Option<Head> {
-    let line = next(&mut BufReader::new(File::open(path).ok()?)).ok()?;
-    serde_json::from_str(&opened(&line)?).ok()
-}
 
 /// A finished unit, with the seconds that it was foreseen to take and that it took.
 #[derive(Serialize)]

@@ -205,6 +205,22 @@ fn two_hundred_scenarios_are_joined_byte_for_byte() {
 }
 
 #[test]
+fn no_shard_takes_less_than_its_dearest_unit() {
+    let costs: Vec<f64> = (0..UNITS)
+        .map(|unit| if unit == 3 { 100.0 } else { 1.0 })
+        .collect();
+    let seconds = |shards| {
+        let (model, costs) = (costs.clone(), costs.clone());
+        Division::new(work(), Vec::new(), model, costs, shards)
+            .unwrap()
+            .seconds()
+    };
+    assert_eq!(seconds(1), (122.0, 122.0));
+    assert_eq!(seconds(2), (61.0, 103.0));
+    assert_eq!(seconds(4), (30.5, 100.0));
+}
+
+#[test]
 fn a_unit_that_came_out_differently_is_no_unit() {
     let folder = tempfile::tempdir().unwrap();
     let division = division(folder.path(), 2);
