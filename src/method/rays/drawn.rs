@@ -190,11 +190,13 @@ impl<T: LaneFloat, M: RayMedium<T>> Rays<'_, T, M> {
     ) -> Vec<L> {
         let Rays { ray, medium } = self;
         let width = zero.all(ray.step);
-        let of_segments = ray.fronts.iter().map(|&front| {
+        let mut depths = vec![zero];
+        for &front in &ray.fronts {
             let lambda = zero.load(numbers.next()) * width + zero.all(front);
-            medium.transfer(first, lambda).extinction * width
-        });
-        summed(zero, of_segments)
+            depths.push(medium.transfer(first, lambda).extinction * width);
+        }
+        sum_up(&mut depths, zero);
+        depths
     }
 
     /// t at the boundaries, of n samples on the whole ray.
@@ -222,7 +224,12 @@ impl<T: LaneFloat, M: RayMedium<T>> Rays<'_, T, M> {
             }
         }
         let step = zero.all(ray.step);
-        summed(zero, sums.iter().map(|sum| zero.load(sum) * step))
+        let mut depths = vec![zero];
+        for sum in &sums {
+            depths.push(zero.load(sum) * step);
+        }
+        sum_up(&mut depths, zero);
+        depths
     }
 
     /// t at the boundaries, of n samples in front of each.
@@ -264,12 +271,12 @@ impl<T: LaneFloat, M: RayMedium<T>> Rays<'_, T, M> {
     }
 }
 
-/// Depths in front of all segments and behind the last.
+/// Each becomes the sum of all up to it. A loop: closures are not compiled for the vectors of the processor.
 #[inline(always)]
-fn summed<L: Lanes>(zero: L, of_segments: impl Iterator<Item = L>) -> Vec<L> {
-    let sums = of_segments.scan(zero, |depth, of_segment| {
-        *depth = *depth + of_segment;
-        Some(*depth)
-    });
-    std::iter::once(zero).chain(sums).collect()
+fn sum_up<L: Lanes>(depths: &mut [L], zero: L) {
+    let mut sum = zero;
+    for depth in depths {
+        sum = sum + *depth;
+        *depth = sum;
+    }
 }

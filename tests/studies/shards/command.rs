@@ -214,6 +214,37 @@ fn a_shard_that_is_killed_goes_on_where_it_was() {
 }
 
 #[test]
+fn a_disk_that_is_full_loses_nothing_that_was_written() {
+    let folder = tempfile::tempdir().unwrap();
+    let at = folder.path();
+    let shard = format!("{STUDY} --out many --shard 1/1");
+    // Files of at most 40 blocks of 512 bytes, and no signal about it.
+    let limited = format!(
+        "trap '' XFSZ; ulimit -f 40; exec '{}' {shard} --quiet",
+        cargo_bin!("volver").display()
+    );
+    let output = Command::new("sh")
+        .args(["-c", &limited])
+        .current_dir(at)
+        .output()
+        .unwrap();
+    let error = String::from_utf8(output.stderr).unwrap();
+    assert_eq!(output.status.code(), Some(2), "{error}");
+    assert!(
+        error.lines().count() == 1
+            && error.contains(".part: ")
+            && error.contains("(allowed: a file that can be read and written)"),
+        "{error}"
+    );
+    let (code, said, _) = volver(at, &shard);
+    assert_eq!(code, 0);
+    assert!(
+        said.contains("6 units, ") && said.contains(" of them by earlier runs"),
+        "{said}"
+    );
+}
+
+#[test]
 fn lines_for_a_shell_run_the_shards() {
     let folder = tempfile::tempdir().unwrap();
     let at = folder.path();
