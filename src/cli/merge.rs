@@ -1,12 +1,13 @@
 //! `volver merge`: what the shards of a study have finished, as one machine writes it.
 
 use super::output::{noun, said};
+use super::study::SCRIPT;
 use super::study::results::{self, Forms, JOURNAL};
 use super::{Failure, Outcome, waiting, write_out};
 use clap::Args;
 use std::collections::BTreeSet;
-use std::fmt::Write;
-use std::io::{self, IsTerminal};
+use std::fmt::Write as _;
+use std::io::{self, IsTerminal, Write as _};
 use std::path::PathBuf;
 use std::thread;
 use std::time::{Duration, Instant};
@@ -105,7 +106,7 @@ impl Merge {
                 .map(|unit| division.work.name(*unit))
                 .unwrap_or_default(),
         );
-        let script = self.directory.join("study.sbatch");
+        let script = self.directory.join(SCRIPT);
         if script.exists() {
             let _ = writeln!(text, "again: sbatch --array={list} {}", script.display());
         } else {
@@ -150,15 +151,15 @@ impl Merge {
                 let mut err = io::stderr().lock();
                 // Nobody is left to tell where standard error is closed.
                 let _ = if err.is_terminal() {
-                    io::Write::write_fmt(&mut err, format_args!("\r\x1b[K{line}"))
+                    write!(err, "\r\x1b[K{line}")
                 } else {
-                    io::Write::write_fmt(&mut err, format_args!("{line}\n"))
+                    writeln!(err, "{line}")
                 };
                 shown = line;
             }
             if gathered.len() == keys.len() {
                 if io::stderr().is_terminal() && !self.forms.quiet {
-                    let _ = io::Write::write_all(&mut io::stderr().lock(), b"\n");
+                    let _ = writeln!(io::stderr());
                 }
                 return Ok(gathered);
             }

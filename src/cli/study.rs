@@ -16,6 +16,7 @@ use super::output::said;
 use super::{Bar, Failure, Outcome, waiting};
 use asked::Asking;
 use clap::Args;
+pub(super) use engine::SCRIPT;
 use formats::Formats;
 pub(super) use formats::names as format_names;
 use results::Forms;

@@ -4,6 +4,8 @@ mod kubernetes;
 mod shell;
 mod slurm;
 
+pub(in crate::cli) use slurm::SCRIPT;
+
 use clap::ValueEnum;
 use std::path::Path;
 use volver::document::quoted;
