@@ -23,10 +23,9 @@ use results::Forms;
 use shard::Sharding;
 use std::path::PathBuf;
 use std::thread;
-use volver::real::FormatName;
 use volver::render;
 use volver::study::Progress;
-use volver::study::sweep::{Divided, Estimate, Header, Journal, Sweep, Unit, run};
+use volver::study::sweep::{Divided, Estimate, Header, Journal, Keep, Sweep, Unit, run};
 
 const EXAMPLES: &str = "\
 Every error of every method on every case in every format at every n is split into
@@ -126,11 +125,7 @@ impl Study {
             levels,
         };
         let estimate = Estimate::new(&sweep, threads);
-        let work = Divided {
-            header: Header::new(&sweep),
-            sweep_bits: bits,
-            swept,
-        };
+        let work = Divided::new(Header::new(&sweep), bits, swept);
         if self.sharding.is_asked() {
             return self.in_shards(&sweep, work, threads, &estimate);
         }
@@ -179,14 +174,10 @@ impl Study {
             None => Journal::unkept(),
         };
         let bar = Bar::new(estimate.work_units());
-        let is_done =
-            |(name, _): &(String, _), format: &FormatName| journal.has(name, &format.to_string());
-        for case in &sweep.cases {
-            for format in sweep.formats.iter().filter(|format| is_done(case, format)) {
-                let works = Estimate::levels(sweep).map(|n| Estimate::work(sweep, *format, n));
-                bar.skip(works.fold(0, u64::saturating_add));
-            }
-        }
+        let left = journal.left(sweep);
+        let left = left.iter().map(|block| block.work(sweep));
+        let left = left.fold(0, u64::saturating_add);
+        bar.skip(estimate.work_units().saturating_sub(left));
         let ran = run(sweep, &mut journal, threads, &bar as &dyn Progress);
         bar.finish();
         ran.map_err(said)?;

@@ -1,6 +1,7 @@
 //! Studies: estimated, run, kept in a journal, summed up.
 
 mod between;
+mod blocks;
 mod estimate;
 mod file;
 pub(crate) mod fixture;

@@ -54,6 +54,7 @@ pub(in crate::cli) fn hand_out(
         header,
         sweep_bits,
         swept,
+        ..
     } = work;
     let results = Results::new(header, sweep_bits, units, &swept).map_err(said)?;
     let document = study::document(&results, about);

@@ -133,8 +133,11 @@ impl Study {
             }
             None => model.clone(),
         };
+        let shards = self.sharding.shards();
+        let work = work.cut(&costs, shards);
+        let (model, costs) = (work.shares(&model), work.shares(&costs));
         let command = one_machine(std::env::args_os().map(|word| word.to_string_lossy().into()));
-        let division = Division::new(work, command, model, costs, self.sharding.shards());
+        let division = Division::new(work, command, model, costs, shards);
         let division = division.map_err(said)?.kept_in(directory).map_err(said)?;
         match (self.sharding.shard, self.sharding.on) {
             (Some(share), _) => self.one(sweep, &division, share, threads, estimate, directory),
@@ -207,13 +210,9 @@ impl Study {
         let shard = Shard::begin(directory, division, share.shard).map_err(said)?;
         let (all, before) = (shard.units(), shard.units() - shard.left());
         let mut shard = StudyShard::new(shard, &division.work);
-        let work = |unit: usize| -> u64 {
-            let format = sweep.formats.get(unit % sweep.formats.len().max(1));
-            let works =
-                |format| Estimate::levels(sweep).map(move |n| Estimate::work(sweep, format, n));
-            format.map_or(0, |format| works(*format).fold(0, u64::saturating_add))
-        };
-        let works = units.map(work).fold(0, u64::saturating_add);
+        let blocks = division.work.blocks.get(units).unwrap_or_default();
+        let works = blocks.iter().map(|block| block.work(sweep));
+        let works = works.fold(0, u64::saturating_add);
         let bar = Bar::new(works);
         let ran = run(sweep, &mut shard, threads, &bar as &dyn Progress);
         bar.finish();

@@ -147,46 +147,44 @@ impl<'c, C: Case> Oracle<'c, C> {
         let level = self.level(first, ray.segments(), &self.everything());
         let methods = self.methods.get(range.clone()).unwrap_or_default();
         let trace = ray.trace(methods, &level.known);
-        let mut cells: Vec<Option<Result<Cell, MethodError>>> =
-            range.clone().map(|_| None).collect();
-        let mut open: Vec<usize> = (0..range.len()).collect();
-        let mut bits = first;
-        loop {
-            let Some(judged) = self.judge(ray, &trace, range.start, &open, bits)? else {
+        let mut cells: Vec<Option<Result<Cell, MethodError>>> = vec![None; range.len()];
+        // The bits that each method is judged at next: what one of them needs is no matter of those beside it, so that they may
+        // be split apart from each other.
+        let mut next: Vec<Option<u32>> = vec![Some(first); range.len()];
+        while let Some(bits) = next.iter().copied().flatten().min() {
+            // Values that a method asked for one after the other come back in that order, to all of them alone.
+            let every = !trace.recording.is_of_columns();
+            let is_asked = |place: &usize| every || next.get(*place) == Some(&Some(bits));
+            let places: Vec<usize> = (0..range.len()).filter(is_asked).collect();
+            let Some(judged) = self.judge(ray, &trace, range.start, &places, bits)? else {
                 return Ok(None);
             };
-            let mut hidden = false;
-            let mut left = Vec::new();
-            for (place, judged) in open.iter().copied().zip(judged) {
-                let cell = match judged {
+            for (place, judged) in places.into_iter().zip(judged) {
+                let (Some(cell), Some(next)) = (cells.get_mut(place), next.get_mut(place)) else {
+                    continue;
+                };
+                if *next != Some(bits) {
+                    continue;
+                }
+                *next = None;
+                *cell = Some(match judged {
                     Ok(Judged::MoreBits { is_hidden, .. }) if bits < MOST_BITS => {
-                        hidden |= is_hidden;
-                        left.push(place);
+                        *next = Some(if bits == first && !is_hidden {
+                            first + STEP_BITS
+                        } else if bits < 2 * first {
+                            2 * first
+                        } else {
+                            2 * bits
+                        });
                         continue;
                     }
                     Ok(Judged::MoreBits { unsettled, .. }) => Ok(unsettled),
                     Ok(Judged::Settled(cell)) => Ok(cell),
                     Err(error) => Err(error),
-                };
-                if let Some(slot) = cells.get_mut(place) {
-                    *slot = Some(cell);
-                }
+                });
             }
-            if left.is_empty() {
-                return Ok(Some(cells.into_iter().flatten().collect()));
-            }
-            // Values that a method asked for one after the other come back in that order, to all of them alone.
-            if trace.recording.is_of_columns() {
-                open = left;
-            }
-            bits = if bits == first && !hidden {
-                first + STEP_BITS
-            } else if bits < 2 * first {
-                2 * first
-            } else {
-                2 * bits
-            };
         }
+        Ok(Some(cells.into_iter().flatten().collect()))
     }
 
     /// The cells of the methods at these places of a trace, as so many bits show them; `None` as in

@@ -2,7 +2,7 @@
 
 use crate::render::ReportError;
 use crate::study::shards::Key;
-use crate::study::sweep::{LevelRecord, Line, Part, Results, State};
+use crate::study::sweep::{Block, LevelRecord, Line, Part, Results, State};
 use parquet::basic::{Compression, ZstdLevel};
 use parquet::data_type::{
     BoolType, ByteArray, ByteArrayType, DataType, DoubleType, Int32Type, Int64Type,
@@ -12,6 +12,7 @@ use parquet::file::properties::WriterProperties;
 use parquet::file::writer::{SerializedColumnWriter, SerializedFileWriter};
 use parquet::schema::parser::parse_message_type;
 use rug::Float;
+use std::collections::HashMap;
 use std::sync::Arc;
 
 /// Rows of a group, which is written in one piece.
@@ -133,8 +134,9 @@ fn made(results: &Results) -> Result<Vec<u8>, ParquetError> {
         .set_created_by(format!("volver {}", results.header.volver))
         .build();
     let mut writer = SerializedFileWriter::new(Vec::new(), schema, Arc::new(properties))?;
-    let keys: std::collections::HashMap<(&str, &str), Key> =
-        results.header.units().zip(results.header.keys()).collect();
+    let whole = Block::whole(&results.header);
+    let keys = whole.iter().map(|unit| results.header.key(unit));
+    let keys: HashMap<(&str, &str), Key> = results.header.units().zip(keys).collect();
     let rows = results.lines.iter().flat_map(|line| {
         let key = keys
             .get(&(line.case.as_str(), line.format.as_str()))

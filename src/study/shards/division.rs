@@ -15,7 +15,7 @@ use std::path::{Path, PathBuf};
 const FILE: &str = "shards.json";
 
 /// Work in units that any machine can do.
-pub trait Divisible: Serialize + DeserializeOwned + PartialEq {
+pub trait Divisible: Serialize + DeserializeOwned {
     /// What it is, for a message: `study`.
     const KIND: &'static str;
 
@@ -25,8 +25,8 @@ pub trait Divisible: Serialize + DeserializeOwned + PartialEq {
     /// A unit's name for a message.
     fn name(&self, unit: usize) -> String;
 
-    /// What another one has otherwise, with its own: for a message.
-    fn difference(&self, other: &Self) -> (&'static str, String, String);
+    /// What another one has otherwise, this one's and the other's; `None` where both are the same, however they are divided.
+    fn difference(&self, other: &Self) -> Option<(&'static str, String, String)>;
 }
 
 /// Work and its shards.
@@ -211,8 +211,7 @@ impl<W: Divisible> Division<W> {
 
     /// Whether it is the one that is wanted.
     fn is_that(&self, wanted: &Self, path: &Path) -> Result<(), DivisionError> {
-        if self.work != wanted.work {
-            let (what, found, wanted) = self.work.difference(&wanted.work);
+        if let Some((what, found, wanted)) = self.work.difference(&wanted.work) {
             return Err(DivisionError::Other {
                 path: path.display().to_string(),
                 kind: W::KIND,

@@ -1,7 +1,9 @@
 //! A study on many machines.
 
-use super::journal::{JournalError, check, write_whole};
+use super::block::{self, Block};
+use super::journal::{JournalError, Shape, write_whole};
 use super::keep::Keep;
+use super::pieces::{self, Shares};
 use super::record::{Header, Unit};
 use super::stopped::SweepError;
 use super::{Estimate, Sweep};
@@ -21,44 +23,83 @@ pub struct Divided {
     pub sweep_bits: Option<RangeInclusive<u32>>,
     /// Of each format whether it is there for the map alone.
     pub swept: Vec<bool>,
+    /// What is done in one go each, in the order of cases and formats, and of levels and methods within.
+    pub blocks: Vec<Block>,
 }
 
 impl Divisible for Divided {
     const KIND: &'static str = "study";
 
     fn keys(&self) -> Vec<Key> {
-        self.header.keys()
+        let blocks = self.blocks.iter();
+        blocks.map(|block| self.header.key(block)).collect()
     }
 
-    fn name(&self, unit: usize) -> String {
-        let (case, format) = self.header.units().nth(unit).unwrap_or_default();
-        format!("{case} in {format}")
+    fn name(&self, block: usize) -> String {
+        let block = self.blocks.get(block);
+        block.map_or_else(String::new, |block| block.name(&self.header))
     }
 
-    fn difference(&self, other: &Self) -> (&'static str, String, String) {
+    /// However its units are cut into blocks, it is the same study.
+    fn difference(&self, other: &Self) -> Option<(&'static str, String, String)> {
         let maps = |of: &Self| match &of.sweep_bits {
             Some(bits) => format!("{}..{}", bits.start(), bits.end()),
             None => "none".into(),
         };
         let of_header = self.header.difference(&other.header);
-        of_header.unwrap_or_else(|| ("sweep-bits", maps(self), maps(other)))
+        of_header.or_else(|| {
+            let (ours, theirs) = (maps(self), maps(other));
+            let same = ours == theirs && self.swept == other.swept;
+            (!same).then_some(("sweep-bits", ours, theirs))
+        })
     }
 }
 
 impl Divided {
+    /// Whole units.
+    #[must_use]
+    pub fn new(header: Header, sweep_bits: Option<RangeInclusive<u32>>, swept: Vec<bool>) -> Self {
+        Divided {
+            blocks: Block::whole(&header),
+            header,
+            sweep_bits,
+            swept,
+        }
+    }
+
+    /// The same in blocks for so many shards, of units that cost so much each.
+    #[must_use]
+    pub fn cut(self, costs: &[f64], shards: usize) -> Self {
+        Divided {
+            blocks: pieces::cut(&self.header, costs, shards),
+            ..self
+        }
+    }
+
+    /// The cost of every block, of those of the units: by its segments, as far as methods are alike.
+    #[must_use]
+    pub fn shares(&self, costs: &[f64]) -> Vec<f64> {
+        let shares = Shares::new(&self.header);
+        let cost = |block: &Block| {
+            costs
+                .get(block.unit)
+                .map_or(0.0, |cost| cost * shares.of(block))
+        };
+        self.blocks.iter().map(cost).collect()
+    }
+
     /// Seconds that each unit takes, as [`Estimate`] foresees it.
     #[must_use]
     pub fn model(sweep: &Sweep, estimate: &Estimate) -> Vec<f64> {
-        let of_case: Vec<f64> = sweep
-            .formats
+        let whole = Block::whole_of(sweep);
+        whole
             .iter()
-            .map(|format| estimate.seconds_of_unit(sweep, *format))
-            .collect();
-        sweep.cases.iter().flat_map(|_| of_case.clone()).collect()
+            .map(|block| estimate.seconds_of(sweep, block))
+            .collect()
     }
 
-    /// The same with what an earlier study has taken: a unit that was run there takes what it took; another one what the model
-    /// says, times what units of its format took there, or all of them, of what the model said.
+    /// The same with what an earlier study has taken: what the model says of a unit, times what that unit took there of what the
+    /// model said of it; or else all units of its format, or all.
     #[must_use]
     pub fn learned(
         &self,
@@ -66,36 +107,31 @@ impl Divided {
         earlier: &Division<Divided>,
         gathered: &Gathered,
     ) -> Vec<f64> {
-        let keys = earlier.work.keys();
-        let mut sums: HashMap<&str, (f64, f64)> = HashMap::new();
-        let mut all = (0.0, 0.0);
-        let units = keys.iter().zip(&earlier.model);
-        for ((key, model), (_, format)) in units.zip(earlier.work.header.units()) {
-            if let Some((_, took)) = gathered.seconds(*key) {
-                for (sum, sum_of_model) in [&mut all, sums.entry(format).or_default()] {
-                    *sum += took;
-                    *sum_of_model += model;
-                }
+        let mut sums: HashMap<Whose<'_>, (f64, f64)> = HashMap::new();
+        let before = &earlier.work;
+        let blocks = before.blocks.iter().zip(before.keys());
+        for ((block, key), model) in blocks.zip(&earlier.model) {
+            let Some((_, took)) = gathered.seconds(key) else {
+                continue;
+            };
+            for whose in Whose::of(&before.header, block.unit) {
+                let sum = sums.entry(whose).or_default();
+                sum.0 += took;
+                sum.1 += model;
             }
         }
-        let ratio = |(took, model): (f64, f64)| {
-            let ratio = took / model;
-            Some(ratio).filter(|ratio| ratio.is_finite() && *ratio > 0.0)
+        let ratio = |whose: &Whose<'_>| {
+            let (took, model) = sums.get(whose)?;
+            Some(took / model).filter(|ratio| ratio.is_finite() && *ratio > 0.0)
         };
-        let units = self.keys().into_iter().zip(model);
-        let costs = units.zip(self.header.units());
-        costs
-            .map(|((key, model), (_, format))| {
-                if let Some((_, took)) = gathered.seconds(key) {
-                    return took;
-                }
-                let of_format = sums.get(format).and_then(|sums| ratio(*sums));
-                model * of_format.or_else(|| ratio(all)).unwrap_or(1.0)
-            })
-            .collect()
+        let learned = (0..).zip(model).map(|(unit, model)| {
+            let whose = Whose::of(&self.header, unit);
+            model * whose.iter().find_map(ratio).unwrap_or(1.0)
+        });
+        learned.collect()
     }
 
-    /// All units, in their order; `None` where one is missing.
+    /// All units, in their order; `None` where a part of one is missing.
     ///
     /// # Errors
     /// [`JournalError`] where a unit cannot be read, or is none of this study.
@@ -105,16 +141,25 @@ impl Divided {
         if !keys.iter().all(|key| gathered.has(*key)) {
             return None;
         }
-        let texts = keys.iter().filter_map(|key| gathered.unit(*key));
-        let units = texts.zip(1..).map(|(text, number)| {
+        let shape = Shape::new(&self.header);
+        let parts: Vec<(&Block, Key)> = self.blocks.iter().zip(keys).collect();
+        let units = parts.chunk_by(|(a, _), (b, _)| a.unit == b.unit);
+        let units = units.zip(1..).map(|(parts, number)| {
             let wrong = |reason: String| JournalError::Line {
                 path: format!("unit {number}"),
                 line: 1,
                 reason,
             };
-            let text = text.map_err(|error: FileError| JournalError::Shard(error))?;
-            let unit: Unit = serde_json::from_str(&text).map_err(|e| wrong(e.to_string()))?;
-            check(&unit, &self.header).map_err(wrong)?;
+            let texts = parts.iter();
+            let texts = texts.filter_map(|(block, key)| Some((*block, gathered.unit(*key)?)));
+            let read = texts.map(|(block, text)| {
+                let text = text.map_err(|error: FileError| JournalError::Shard(error))?;
+                let part: Unit = serde_json::from_str(&text).map_err(|e| wrong(e.to_string()))?;
+                Ok((block, part))
+            });
+            let unit = block::joined(&self.header, read.collect::<Result<_, JournalError>>()?);
+            let unit = unit.ok_or_else(|| wrong("its parts do not cover it".into()))?;
+            shape.check(&unit).map_err(wrong)?;
             Ok(unit)
         });
         Some(units.collect())
@@ -129,23 +174,57 @@ impl Divided {
     }
 }
 
+/// What costs are learned of.
+#[derive(PartialEq, Eq, Hash)]
+enum Whose<'h> {
+    /// A case in a format.
+    Unit(&'h [String; 5], &'h str),
+    /// All cases in a format.
+    Format(&'h str),
+    /// Everything.
+    Study,
+}
+
+impl<'h> Whose<'h> {
+    /// Whose costs those of a unit are, its own first.
+    fn of(header: &'h Header, unit: usize) -> Vec<Whose<'h>> {
+        let formats = header.formats.len().max(1);
+        let case = header.cases.get(unit / formats);
+        let format = header.formats.get(unit % formats);
+        let own = case.zip(format);
+        let own = own.map(|(case, format)| Whose::Unit(case, format));
+        let of_format = format.map(|format| Whose::Format(format));
+        own.into_iter()
+            .chain(of_format)
+            .chain([Whose::Study])
+            .collect()
+    }
+}
+
 /// A shard of a study.
 #[derive(Debug)]
 pub struct StudyShard {
     shard: Shard,
-    keys: HashMap<(String, String), Key>,
+    blocks: Vec<(Block, Key)>,
 }
 
 impl StudyShard {
-    /// Takes the units of this study that the shard still wants.
+    /// Takes the blocks of this study that the shard still wants.
     #[must_use]
     pub fn new(shard: Shard, work: &Divided) -> StudyShard {
-        let names = work.header.units();
-        let names = names.map(|(case, format)| (case.to_string(), format.to_string()));
+        let blocks = work.blocks.iter().cloned().zip(work.keys());
         StudyShard {
+            blocks: blocks.filter(|(_, key)| shard.wants(*key)).collect(),
             shard,
-            keys: names.zip(work.keys()).collect(),
         }
+    }
+
+    /// What is still to be done.
+    #[must_use]
+    pub fn wanted(&self) -> Vec<Block> {
+        let left = self.blocks.iter();
+        let left = left.filter(|(_, key)| self.shard.wants(*key));
+        left.map(|(block, _)| block.clone()).collect()
     }
 
     /// The shard.
@@ -153,21 +232,16 @@ impl StudyShard {
     pub fn into_shard(self) -> Shard {
         self.shard
     }
-
-    fn key(&self, case: &str, format: &str) -> Option<Key> {
-        self.keys.get(&(case.into(), format.into())).copied()
-    }
 }
 
 impl Keep for StudyShard {
-    fn wants(&self, case: &str, format: &str) -> bool {
-        let key = self.key(case, format);
-        key.is_some_and(|key| self.shard.wants(key))
+    fn left(&self, _: &Sweep) -> Vec<Block> {
+        self.wanted()
     }
 
-    fn keep(&mut self, unit: Unit, took: f64) -> Result<(), SweepError> {
-        match self.key(&unit.case, &unit.format) {
-            Some(key) => Ok(self.shard.append(key, took, &unit)?),
+    fn keep(&mut self, block: &Block, unit: Unit, took: f64) -> Result<(), SweepError> {
+        match self.blocks.iter().find(|(own, _)| own == block) {
+            Some((_, key)) => Ok(self.shard.append(*key, took, &unit)?),
             None => Ok(()),
         }
     }

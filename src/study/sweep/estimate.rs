@@ -1,6 +1,6 @@
 //! What a study will take, before it is run.
 
-use super::{Errors, Sweep, kept};
+use super::{Block, Errors, Sweep, kept};
 use crate::method::{Inner, Method};
 use crate::quadrature::Rule;
 use crate::real::FormatName;
@@ -33,10 +33,9 @@ impl Estimate {
     /// Of `sweep` on `threads` threads.
     #[must_use]
     pub fn new(sweep: &Sweep, threads: usize) -> Estimate {
-        let work = sweep
-            .formats
-            .iter()
-            .flat_map(|format| Self::levels(sweep).map(|n| Self::work(sweep, *format, n) as f64));
+        let work = sweep.formats.iter().flat_map(|format| {
+            Self::levels(sweep).map(|n| Self::work(sweep, *format, n, sweep.methods.len()) as f64)
+        });
         let (bytes, unit) = match sweep.errors {
             Errors::Split => {
                 let methods = sweep.methods.len().max(1) as f64;
@@ -56,8 +55,8 @@ impl Estimate {
     fn bytes_whole(sweep: &Sweep, threads: usize) -> f64 {
         let units = sweep.formats.iter().flat_map(|&format| {
             let level = move |&n: &u64| {
-                if kept::shares(sweep, format, n) {
-                    return kept::bytes_shared(sweep, format, n);
+                if kept::shares(&sweep.methods, format, n) {
+                    return kept::bytes_shared(&sweep.methods, format, n);
                 }
                 let methods = sweep.methods.iter();
                 let alone = methods.map(|method| kept::bytes_alone(method, format, n));
@@ -90,11 +89,10 @@ impl Estimate {
         self.work * self.unit / threads.max(1) as f64
     }
 
-    /// Seconds of one unit on one core.
+    /// Seconds of a block on one core.
     #[must_use]
-    pub fn seconds_of_unit(&self, sweep: &Sweep, format: FormatName) -> f64 {
-        let works = Self::levels(sweep).map(|n| Self::work(sweep, format, n) as f64);
-        works.sum::<f64>() * self.unit
+    pub fn seconds_of(&self, sweep: &Sweep, block: &Block) -> f64 {
+        block.work(sweep) as f64 * self.unit
     }
 
     /// All work, as progress counts it.
@@ -114,17 +112,16 @@ impl Estimate {
         sweep.levels.iter().copied().chain(between)
     }
 
-    /// Work of one level of one unit.
+    /// Work of so many methods at one level of one unit.
     #[must_use]
-    pub fn work(sweep: &Sweep, format: FormatName, n: u64) -> u64 {
+    pub fn work(sweep: &Sweep, format: FormatName, n: u64, methods: usize) -> u64 {
         let weight = match (sweep.errors, format) {
             (Errors::Split, _) => 2 + u64::from(format.bits()) / 32,
             (Errors::Total, FormatName::Mpfr(bits)) => of_mpfr(bits),
             (Errors::Total, FormatName::Ieee(_) | FormatName::Fixed(_)) => EMULATED,
             (Errors::Total, _) => 1,
         };
-        n.saturating_mul(sweep.methods.len() as u64)
-            .saturating_mul(weight)
+        n.saturating_mul(methods as u64).saturating_mul(weight)
     }
 }
 

@@ -5,6 +5,7 @@ use super::record::{Header, LevelRecord, Row, State, Unit};
 use crate::input;
 use crate::study::shards;
 use serde::Serialize;
+use std::collections::{HashMap, HashSet};
 use std::fs::{File, OpenOptions};
 use std::io::{self, BufRead, BufReader, BufWriter, Read, Seek, SeekFrom, Write};
 use std::path::{Path, PathBuf};
@@ -160,9 +161,12 @@ impl Journal {
     /// Whether that unit is finished.
     #[must_use]
     pub fn has(&self, case: &str, format: &str) -> bool {
-        self.units
-            .iter()
-            .any(|unit| unit.case == case && unit.format == format)
+        self.units.iter().any(|unit| name(unit) == (case, format))
+    }
+
+    /// Case and format of all that are.
+    pub(super) fn names(&self) -> HashSet<(&str, &str)> {
+        self.units.iter().map(name).collect()
     }
 
     /// How many units are finished.
@@ -180,10 +184,9 @@ impl Journal {
     /// The finished units in the order of the header, whichever came first.
     #[must_use]
     pub fn ordered(&self, header: &Header) -> Vec<&Unit> {
-        let find = |(case, format): (&str, &str)| {
-            let mut units = self.units.iter();
-            units.find(|unit| unit.case == case && unit.format == format)
-        };
+        let places: HashMap<(&str, &str), &Unit> =
+            self.units.iter().map(|unit| (name(unit), unit)).collect();
+        let find = |name: (&str, &str)| places.get(&name).copied();
         header.units().filter_map(find).collect()
     }
 
@@ -231,7 +234,9 @@ pub(super) fn write_whole(
 /// The units of a journal, and how many of its bytes are whole lines.
 fn read(path: &Path, file: &mut File, header: &Header) -> Result<(Vec<Unit>, u64), JournalError> {
     let mut reader = BufReader::new(file);
+    let shape = Shape::new(header);
     let mut units: Vec<Unit> = Vec::new();
+    let mut names = HashSet::new();
     let mut whole = 0;
     for number in 1.. {
         let mut bytes = Vec::new();
@@ -266,11 +271,8 @@ fn read(path: &Path, file: &mut File, header: &Header) -> Result<(Vec<Unit>, u64
                 reason,
             };
             let unit: Unit = serde_json::from_slice(&bytes).map_err(|e| wrong(e.to_string()))?;
-            check(&unit, header).map_err(wrong)?;
-            if units
-                .iter()
-                .any(|u| u.case == unit.case && u.format == unit.format)
-            {
+            shape.check(&unit).map_err(wrong)?;
+            if !names.insert((unit.case.clone(), unit.format.clone())) {
                 return Err(wrong(format!(
                     "{} in {} stands there twice",
                     unit.case, unit.format
@@ -283,44 +285,62 @@ fn read(path: &Path, file: &mut File, header: &Header) -> Result<(Vec<Unit>, u64
     Ok((units, whole))
 }
 
-/// Whether a unit has the shape of this study.
-pub(super) fn check(unit: &Unit, header: &Header) -> Result<(), String> {
-    let Unit {
-        case, format, rows, ..
-    } = unit;
-    if !header.units().any(|(c, f)| c == case && f == format) {
-        return Err(format!("{case} in {format} is no unit of this study"));
+/// What the units of a study look like.
+pub(super) struct Shape<'h> {
+    header: &'h Header,
+    units: HashSet<(&'h str, &'h str)>,
+    between: Vec<u64>,
+}
+
+impl<'h> Shape<'h> {
+    pub(super) fn new(header: &'h Header) -> Self {
+        Shape {
+            header,
+            units: header.units().collect(),
+            between: header.errors.between(&header.levels),
+        }
     }
-    let methods = rows.iter().map(|row| &row.method);
-    if !methods.eq(&header.methods) {
-        return Err("the methods are not those of this study".into());
+
+    /// Whether a unit is one of this study.
+    pub(super) fn check(&self, unit: &Unit) -> Result<(), String> {
+        let Unit {
+            case, format, rows, ..
+        } = unit;
+        let header = self.header;
+        if !self.units.contains(&(case.as_str(), format.as_str())) {
+            return Err(format!("{case} in {format} is no unit of this study"));
+        }
+        let methods = rows.iter().map(|row| &row.method);
+        if !methods.eq(&header.methods) {
+            return Err("the methods are not those of this study".into());
+        }
+        let complete = |found: &[LevelRecord], wanted: &[u64]| {
+            found.iter().map(|level| level.n).eq(wanted.iter().copied())
+        };
+        let is_complete = |row: &Row| {
+            complete(&row.levels, &header.levels) && complete(&row.between, &self.between)
+        };
+        if !rows.iter().all(is_complete) {
+            return Err("the levels are not those of this study".into());
+        }
+        let is_of_this_kind = |level: &LevelRecord| match header.errors {
+            Errors::Split => level.state != State::Total && level.floor.is_none(),
+            Errors::Total => matches!(
+                level.state,
+                State::Total | State::NotFinite | State::Refused(_)
+            ),
+        };
+        let mut levels = rows
+            .iter()
+            .flat_map(|row| row.levels.iter().chain(&row.between));
+        if !levels.all(is_of_this_kind) {
+            return Err(format!(
+                "the errors are not {} as in this study",
+                header.errors
+            ));
+        }
+        Ok(())
     }
-    let between = header.errors.between(&header.levels);
-    let complete = |found: &[LevelRecord], wanted: &[u64]| {
-        found.iter().map(|level| level.n).eq(wanted.iter().copied())
-    };
-    let is_complete =
-        |row: &Row| complete(&row.levels, &header.levels) && complete(&row.between, &between);
-    if !rows.iter().all(is_complete) {
-        return Err("the levels are not those of this study".into());
-    }
-    let is_of_this_kind = |level: &LevelRecord| match header.errors {
-        Errors::Split => level.state != State::Total && level.floor.is_none(),
-        Errors::Total => matches!(
-            level.state,
-            State::Total | State::NotFinite | State::Refused(_)
-        ),
-    };
-    let mut levels = rows
-        .iter()
-        .flat_map(|row| row.levels.iter().chain(&row.between));
-    if !levels.all(is_of_this_kind) {
-        return Err(format!(
-            "the errors are not {} as in this study",
-            header.errors
-        ));
-    }
-    Ok(())
 }
 
 fn same(path: &Path, found: &Header, wanted: &Header) -> Result<(), JournalError> {
@@ -333,6 +353,11 @@ fn same(path: &Path, found: &Header, wanted: &Header) -> Result<(), JournalError
         }),
         None => Ok(()),
     }
+}
+
+/// What a unit is called.
+fn name(unit: &Unit) -> (&str, &str) {
+    (&unit.case, &unit.format)
 }
 
 /// One line of JSON; records are made of text and numbers, which always have one.

@@ -1,6 +1,5 @@
 //! What a unit of total errors keeps in memory: nodes that methods and levels share, as long as that is cheaper.
 
-use super::Sweep;
 use crate::method::{Inner, Method};
 use crate::quadrature::Rule;
 use crate::real::FormatName;
@@ -21,22 +20,22 @@ const NUMBERS_A_SEGMENT: f64 = 4.0;
 /// The place of a node as a fraction, in that table.
 const PLACE_BYTES: f64 = 32.0;
 
-/// Bytes that a unit of `sweep` keeps where its finest shared level has n segments.
-pub(super) fn bytes_shared(sweep: &Sweep, format: FormatName, n: u64) -> f64 {
-    let inner: BTreeSet<String> = sweep.methods.iter().filter_map(inner).collect();
-    let places = rows(&sweep.methods) as f64;
+/// Bytes that a unit keeps of what these methods share where its finest shared level has n segments.
+pub(super) fn bytes_shared(methods: &[Method], format: FormatName, n: u64) -> f64 {
+    let inner: BTreeSet<String> = methods.iter().filter_map(inner).collect();
+    let places = rows(methods) as f64;
     let number = number_bytes(format);
     let node = NUMBERS_A_NODE * number + PLACE_BYTES;
     n as f64 * (places * node + inner.len() as f64 * NUMBERS_A_SEGMENT * number)
 }
 
 /// Whether a level of n segments shares nodes with other methods and levels; else each method goes along the ray by itself.
-pub(super) fn shares(sweep: &Sweep, format: FormatName, n: u64) -> bool {
+pub(super) fn shares(methods: &[Method], format: FormatName, n: u64) -> bool {
     let most = match format {
         FormatName::Mpfr(_) => MPFR_BYTES,
         _ => PLAIN_BYTES,
     };
-    bytes_shared(sweep, format, n) <= most
+    bytes_shared(methods, format, n) <= most
 }
 
 /// Bytes of a method that keeps its ray, on n segments: nodes in columns, and depths.

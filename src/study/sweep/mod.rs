@@ -1,10 +1,11 @@
 //! Cases × methods × formats × levels, every error split into its parts or known as a whole alone.
 //!
-//! Work comes in units of one case in one format, under all methods at all levels. A [`Journal`] takes each
-//! unit when it is finished; what is reported is made of a journal's units alone, so that a study that was cut
+//! Work comes in units of one case in one format, under all methods at all levels, or in [`Block`]s of these. A [`Journal`]
+//! takes each unit when it is finished; what is reported is made of a journal's units alone, so that a study that was cut
 //! off and resumed gives the same bytes as one that was not.
 
 mod between;
+mod block;
 mod divided;
 mod errors;
 mod estimate;
@@ -14,6 +15,7 @@ mod journal;
 mod keep;
 mod kept;
 mod number;
+mod pieces;
 mod record;
 mod results;
 mod run;
@@ -22,6 +24,7 @@ mod summary;
 mod total;
 
 pub use between::between;
+pub use block::Block;
 pub use divided::{Divided, StudyShard};
 pub use errors::{Errors, ErrorsError};
 pub use estimate::Estimate;

@@ -1,6 +1,6 @@
 //! What is kept of a study: one line a unit, everything else follows from it.
 
-use super::{Errors, Sweep, number};
+use super::{Block, Errors, Sweep, number};
 use crate::case::Unproved;
 use crate::convergence::{Cell, Split};
 use crate::method::{Expected, Method};
@@ -71,20 +71,35 @@ impl Header {
         Some((what, ours.join(", "), theirs.join(", ")))
     }
 
-    /// What the units are known by, in the same order: a digest of all that their results depend on, of case, format, methods,
-    /// levels, kind of errors and version.
+    /// All levels of a unit, those for models alone behind the others.
     #[must_use]
-    pub fn keys(&self) -> Vec<Key> {
-        let (errors, methods) = (self.errors.to_string(), self.methods.join(","));
-        let levels: Vec<String> = self.levels.iter().map(ToString::to_string).collect();
-        let levels = levels.join(",");
-        let of_study = [&self.volver, &errors, &methods, &levels];
-        let units = self.cases.iter().flat_map(|case| {
-            let formats = self.formats.iter();
-            formats.map(move |format| case.iter().chain([format]))
-        });
-        let keys = units.map(|unit| Key::of(unit.chain(of_study).map(String::as_str)));
-        keys.collect()
+    pub fn every_level(&self) -> Vec<u64> {
+        let between = self.errors.between(&self.levels);
+        self.levels.iter().copied().chain(between).collect()
+    }
+
+    /// What a block is known by: a digest of all that its results depend on, of case, format, methods, levels, kind of errors
+    /// and version. Theory has the whole ladder before it.
+    #[must_use]
+    pub fn key(&self, block: &Block) -> Key {
+        let formats = self.formats.len().max(1);
+        let case = self.cases.get(block.unit / formats).into_iter().flatten();
+        let format = self.formats.get(block.unit % formats);
+        let methods = self.methods.get(block.methods.clone()).unwrap_or_default();
+        let all = self.every_level();
+        let levels = all.get(block.levels.clone()).unwrap_or_default();
+        let list = |levels: &[u64]| {
+            let levels: Vec<String> = levels.iter().map(ToString::to_string).collect();
+            levels.join(",")
+        };
+        let of_study = [
+            self.volver.clone(),
+            self.errors.to_string(),
+            methods.join(","),
+            list(&self.levels),
+            list(levels),
+        ];
+        Key::of(case.chain(format).chain(&of_study).map(String::as_str))
     }
 
     /// The names of all units, in the order in which they are reported.
@@ -112,8 +127,6 @@ pub struct Unit {
     /// What I rests on and is not proved.
     #[serde(default, skip_serializing_if = "Vec::is_empty")]
     pub unproved: Vec<Unproved>,
-    /// How often the medium was evaluated in the format.
-    pub evaluations: u64,
     /// The methods, in the order of the header.
     pub rows: Vec<Row>,
 }

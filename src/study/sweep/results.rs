@@ -6,6 +6,7 @@ use crate::case::Unproved;
 use crate::convergence::{FitError, Verdict};
 use crate::real::{FormatName, MpfrReal, Real};
 use rug::{Float, Rational};
+use std::collections::HashMap;
 use std::f64::consts::LOG10_2;
 use std::ops::RangeInclusive;
 
@@ -53,6 +54,11 @@ impl Results {
         swept: &[bool],
     ) -> Result<Results, FitError> {
         let mut lines = Vec::new();
+        let lengths = header.cases.iter().filter_map(|[name, length, ..]| {
+            let length: Rational = length.parse().ok()?;
+            Some((name.as_str(), length.to_f64()))
+        });
+        let lengths: HashMap<&str, f64> = lengths.collect();
         let mut unproved: Vec<(String, Unproved)> = Vec::new();
         for unit in units {
             for open in &unit.unproved {
@@ -62,10 +68,7 @@ impl Results {
                     unproved.push(open);
                 }
             }
-            let mut cases = header.cases.iter();
-            let length = cases.find(|[name, ..]| *name == unit.case);
-            let length = length.and_then(|[_, length, ..]| length.parse::<Rational>().ok());
-            let length = length.map_or(1.0, |length| length.to_f64());
+            let length = lengths.get(unit.case.as_str()).copied().unwrap_or(1.0);
             let format = header.formats.iter().position(|name| *name == unit.format);
             let swept = format.and_then(|i| swept.get(i)).copied().unwrap_or(false);
             for row in &unit.rows {
@@ -110,17 +113,17 @@ impl Results {
         &'r self,
         keep: impl Fn(&Line) -> bool + Copy + 'r,
     ) -> impl Iterator<Item = (&'r str, &'r str, Vec<&'r Line>)> {
-        self.header.cases.iter().flat_map(move |[case, ..]| {
-            self.header.methods.iter().map(move |method| {
-                let of =
-                    |line: &&Line| line.case == *case && line.row.method == *method && keep(line);
-                (
-                    case.as_str(),
-                    method.as_str(),
-                    self.lines.iter().filter(of).collect(),
-                )
-            })
-        })
+        let mut lines: HashMap<(&str, &str), Vec<&Line>> = HashMap::new();
+        for line in self.lines.iter().filter(|line| keep(line)) {
+            let of = lines.entry((&line.case, &line.row.method)).or_default();
+            of.push(line);
+        }
+        let cases = self.header.cases.iter();
+        let pairs = cases.flat_map(|[case, ..]| {
+            let methods = self.header.methods.iter();
+            methods.map(move |method| (case.as_str(), method.as_str()))
+        });
+        pairs.map(move |pair| (pair.0, pair.1, lines.remove(&pair).unwrap_or_default()))
     }
 }
 

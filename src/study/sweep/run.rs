@@ -2,20 +2,21 @@
 
 use super::keep::Keep;
 use super::number;
-use super::record::{LevelRecord, Row, Unit};
+use super::record::{LevelRecord, Unit};
 use super::stopped::SweepError;
 use super::total::{self, Truth};
-use super::{Errors, Estimate, Sweep};
+use super::{Block, Errors, Estimate, Sweep};
 use crate::case::{Shared, SymbolicCase};
 use crate::convergence::{Cell, Oracle};
-use crate::method::{MethodError, expected_on};
+use crate::method::MethodError;
 use crate::parallel;
 use crate::real::{Format, FormatName, WithFormat};
 use crate::reference::ReferenceError;
 use crate::study::Progress;
 use rug::Float;
 use rug::float::Special;
-use std::collections::VecDeque;
+use std::collections::{BTreeMap, VecDeque};
+use std::ops::Range;
 use std::sync::atomic::{AtomicU64, Ordering};
 use std::sync::{Arc, Mutex, MutexGuard, OnceLock, PoisonError};
 use std::thread;
@@ -27,7 +28,7 @@ const RADIANCE_BITS: u32 = 80;
 /// What a run cost.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Statistics {
-    /// Units that were run, those in the journal before not among them.
+    /// Blocks that were run, most of them whole units; those in the journal before not among them.
     pub units: u64,
     /// Evaluations of a medium, in the formats of the study.
     pub evaluations: u64,
@@ -35,32 +36,40 @@ pub struct Statistics {
     pub oracle_evaluations: u64,
 }
 
+/// Oracles of one case.
+type Oracles<'s> = BTreeMap<(usize, usize), Arc<Oracle<'s, SymbolicCase>>>;
+
 /// A case whose oracle its formats share: there from the first of its units to the last. Errors as a whole need its radiance
 /// alone.
 struct Job<'s> {
     name: &'s str,
     case: &'s SymbolicCase,
-    oracle: Mutex<Option<Arc<Oracle<'s, SymbolicCase>>>>,
+    /// One for all blocks of the same methods, by the first and the one behind the last.
+    oracles: Mutex<Oracles<'s>>,
     truth: OnceLock<Truth>,
     left: AtomicU64,
 }
 
 impl<'s> Job<'s> {
-    /// One of its units.
+    /// What a block has of its unit, and how often the medium was evaluated in the format.
     fn unit(
         &self,
         sweep: &'s Sweep,
+        block: &Block,
         format: FormatName,
         order: Order,
         progress: &dyn Progress,
-    ) -> Unit {
+    ) -> (Unit, u64) {
         let name = self.name;
         match sweep.errors {
             Errors::Split => {
-                let new = || Arc::new(Oracle::new(self.case, &sweep.methods));
-                let oracle = Arc::clone(lock(&self.oracle).get_or_insert_with(new));
+                let Range { start, end } = block.methods;
+                let new = || Arc::new(Oracle::new(self.case, block.methods(sweep)));
+                let oracle =
+                    Arc::clone(lock(&self.oracles).entry((start, end)).or_insert_with(new));
                 format.with(OneUnit {
                     sweep,
+                    block,
                     name,
                     format,
                     oracle: &oracle,
@@ -70,6 +79,7 @@ impl<'s> Job<'s> {
             }
             Errors::Total => format.with(total::OneUnit {
                 sweep,
+                block,
                 name,
                 case: self.case,
                 format,
@@ -82,13 +92,13 @@ impl<'s> Job<'s> {
         }
     }
 
-    /// Evaluations of its oracle, which goes with its last unit.
+    /// Evaluations of its oracles, which go with its last block.
     fn done(&self) -> u64 {
         if self.left.fetch_sub(1, Ordering::AcqRel) > 1 {
             return 0;
         }
-        let oracle = lock(&self.oracle).take();
-        oracle.map_or(0, |oracle| oracle.evaluations())
+        let oracles = std::mem::take(&mut *lock(&self.oracles));
+        oracles.values().map(|oracle| oracle.evaluations()).sum()
     }
 }
 
@@ -104,7 +114,13 @@ pub fn run(
     progress: &dyn Progress,
 ) -> Result<Statistics, SweepError> {
     let threads = threads.max(1);
-    let todo = queue(sweep, kept);
+    let todo: VecDeque<Block> = kept.left(sweep).into();
+    let mut blocks_of = vec![0; sweep.cases.len()];
+    for block in &todo {
+        if let Some(blocks) = blocks_of.get_mut(block.case(sweep)) {
+            *blocks += 1;
+        }
+    }
     let jobs: Vec<Job<'_>> = sweep
         .cases
         .iter()
@@ -112,14 +128,15 @@ pub fn run(
         .map(|(index, (name, case))| Job {
             name,
             case,
-            oracle: Mutex::new(None),
+            oracles: Mutex::default(),
             truth: OnceLock::new(),
-            left: AtomicU64::new(todo.iter().filter(|(c, _)| *c == index).count() as u64),
+            left: AtomicU64::new(blocks_of.get(index).copied().unwrap_or(0)),
         })
         .collect();
     let todo = Mutex::new(Todo {
+        sweep,
         threads_at: vec![0; jobs.len()],
-        units: todo,
+        blocks: todo,
     });
     let kept = Mutex::new(kept);
     let statistics = Mutex::new(Statistics::default());
@@ -127,6 +144,7 @@ pub fn run(
         let mut mine = None;
         loop {
             let Some(Next {
+                block,
                 case,
                 format,
                 is_shared,
@@ -143,17 +161,17 @@ pub fn run(
             };
             let job = &jobs[case];
             let begun = Instant::now();
-            let unit = job.unit(sweep, format, order, progress);
+            let (unit, evaluations) = job.unit(sweep, &block, format, order, progress);
             let took = begun.elapsed().as_secs_f64();
             lock(&todo).leave(case);
             let mut total = lock(&statistics);
             total.units += 1;
-            total.evaluations += unit.evaluations;
+            total.evaluations += evaluations;
             total.oracle_evaluations += job.done();
             drop(total);
-            if let Err(error) = lock(&kept).keep(unit, took) {
+            if let Err(error) = lock(&kept).keep(&block, unit, took) {
                 // Nothing more can be kept: the others stop after what they have begun.
-                lock(&todo).units.clear();
+                lock(&todo).blocks.clear();
                 return Err(error);
             }
         }
@@ -175,42 +193,31 @@ pub fn run(
     Ok(*lock(&statistics))
 }
 
-/// The units left to do, case by case.
-fn queue(sweep: &Sweep, kept: &dyn Keep) -> VecDeque<(usize, FormatName)> {
-    let mut queue = VecDeque::new();
-    for (case, (name, _)) in sweep.cases.iter().enumerate() {
-        for format in &sweep.formats {
-            if kept.wants(name, &format.to_string()) {
-                queue.push_back((case, *format));
-            }
-        }
-    }
-    queue
-}
-
-/// The units left to do, and who is at what.
-struct Todo {
-    units: VecDeque<(usize, FormatName)>,
+/// The blocks left to do, and who is at what.
+struct Todo<'s> {
+    sweep: &'s Sweep,
+    blocks: VecDeque<Block>,
     /// How many threads are at a case.
     threads_at: Vec<usize>,
 }
 
 /// What a thread does next.
 struct Next {
+    block: Block,
     case: usize,
     format: FormatName,
     /// Whether another thread is at the case.
     is_shared: bool,
-    /// Whether fewer units are left than there are threads: its levels share them.
+    /// Whether fewer blocks are left than there are threads: its levels share them.
     is_last: bool,
 }
 
-impl Todo {
+impl Todo<'_> {
     /// A thread stays with its case as long as there is something to do, goes on to one that nobody is at, and helps with
     /// others last: threads then seldom wait for what both want, and few cases are in memory.
     fn next(&mut self, mine: Option<usize>, threads: usize) -> Option<Next> {
         let at = |case: usize| self.threads_at.get(case).copied().unwrap_or(0);
-        let cases = || self.units.iter().map(|(case, _)| *case);
+        let cases = || self.blocks.iter().map(|block| block.case(self.sweep));
         let place = cases()
             .position(|case| Some(case) == mine)
             .or_else(|| cases().position(|case| at(case) == 0))
@@ -218,19 +225,21 @@ impl Todo {
                 let fewest = cases().enumerate().min_by_key(|&(_, case)| at(case));
                 fewest.map(|(place, _)| place)
             })?;
-        let (case, format) = self.units.remove(place)?;
+        let block = self.blocks.remove(place)?;
+        let (case, format) = (block.case(self.sweep), block.format(self.sweep)?);
         let at_it = self.threads_at.get_mut(case)?;
         let is_shared = *at_it > 0;
         *at_it += 1;
         Some(Next {
+            block,
             case,
             format,
             is_shared,
-            is_last: threads > 1 && self.units.len() < threads,
+            is_last: threads > 1 && self.blocks.len() < threads,
         })
     }
 
-    /// A thread is done with its unit of that case.
+    /// A thread is done with its block of that case.
     fn leave(&mut self, case: usize) {
         if let Some(threads) = self.threads_at.get_mut(case) {
             *threads = threads.saturating_sub(1);
@@ -251,6 +260,7 @@ enum Order {
 /// One case in one format, the format still to be chosen.
 struct OneUnit<'a, 's> {
     sweep: &'s Sweep,
+    block: &'a Block,
     name: &'s str,
     format: FormatName,
     oracle: &'a Oracle<'s, SymbolicCase>,
@@ -259,33 +269,34 @@ struct OneUnit<'a, 's> {
 }
 
 impl WithFormat for OneUnit<'_, '_> {
-    type Output = Unit;
+    type Output = (Unit, u64);
 
-    fn run<F: Format>(self, format: F) -> Unit {
+    fn run<F: Format>(self, format: F) -> (Unit, u64) {
         let nodes = Shared::new(self.oracle.case(), format);
-        let rows = self.rows(&|n| {
+        let records = self.records(&|n| {
             let cells = self.oracle.split(&nodes, n);
             nodes.forget_columns(n);
             cells
         });
+        let case = self.oracle.case();
         let reference = self.oracle.reference(RADIANCE_BITS);
         let (radiance, unproved) = match reference {
             Ok(reference) => {
-                let unproved = reference.unproved(self.oracle.case());
+                let unproved = reference.unproved(case);
                 (reference.value, unproved)
             }
             // Each level says why.
             Err(_) => (Float::with_val(RADIANCE_BITS, Special::Nan), Vec::new()),
         };
-        Unit {
+        let unit = Unit {
             case: self.name.into(),
             format: self.format.to_string(),
             bits: format.bits(),
             radiance: number::rounded(&radiance),
             unproved,
-            rows,
-            evaluations: nodes.evaluations(),
-        }
+            rows: self.block.rows(self.sweep, case, &records),
+        };
+        (unit, nodes.evaluations())
     }
 }
 
@@ -293,39 +304,25 @@ impl WithFormat for OneUnit<'_, '_> {
 type Cells = Result<Vec<Result<Cell, MethodError>>, ReferenceError>;
 
 impl OneUnit<'_, '_> {
-    /// The records of all methods; `split` gives their cells at a level.
-    fn rows(&self, split: &(dyn Fn(u64) -> Cells + Sync)) -> Vec<Row> {
+    /// The records of the methods at each level; `split` gives their cells.
+    fn records(&self, split: &(dyn Fn(u64) -> Cells + Sync)) -> Vec<Vec<LevelRecord>> {
+        let methods = self.block.methods.len();
         let at = |&n: &u64| {
             let cells = split(n);
             self.progress
-                .advance(Estimate::work(self.sweep, self.format, n));
-            records(n, cells, self.sweep.methods.len())
+                .advance(Estimate::work(self.sweep, self.format, n, methods));
+            records(n, cells, methods)
         };
-        let all = |levels: &[u64]| -> Vec<Vec<LevelRecord>> {
-            match self.order {
-                Order::SideBySide => parallel::map(levels, at),
-                Order::FromCoarsest => levels.iter().map(at).collect(),
-                Order::FromFinest => {
-                    let mut found: Vec<_> = levels.iter().rev().map(at).collect();
-                    found.reverse();
-                    found
-                }
+        let levels = self.block.levels(self.sweep);
+        match self.order {
+            Order::SideBySide => parallel::map(&levels, at),
+            Order::FromCoarsest => levels.iter().map(at).collect(),
+            Order::FromFinest => {
+                let mut found: Vec<_> = levels.iter().rev().map(at).collect();
+                found.reverse();
+                found
             }
-        };
-        let levels = all(&self.sweep.levels);
-        let between = all(&self.sweep.errors.between(&self.sweep.levels));
-        let of = |levels: &[Vec<LevelRecord>], m: usize| {
-            levels.iter().map(|level| level[m].clone()).collect()
-        };
-        let case = self.oracle.case();
-        let methods = self.sweep.methods.iter().enumerate();
-        let rows = methods.map(|(m, method)| Row {
-            method: method.name(),
-            expected: expected_on(method, case, &self.sweep.levels).into(),
-            levels: of(&levels, m),
-            between: of(&between, m),
-        });
-        rows.collect()
+        }
     }
 }
 

@@ -1,10 +1,10 @@
 //! Units of errors as a whole: no oracle, no levels between; nodes shared, or none kept.
 
 use super::floor::Sizes;
-use super::record::{LevelRecord, Row, Unit};
-use super::{Estimate, Sweep, kept, number};
+use super::record::{LevelRecord, Unit};
+use super::{Block, Estimate, Sweep, kept, number};
 use crate::case::{AnyNodes, Fresh, Shared, SymbolicCase};
-use crate::method::{Level, Method, MethodError, expected_on};
+use crate::method::{Level, Method, MethodError};
 use crate::parallel;
 use crate::real::{Format, FormatName, Real, WithFormat, row};
 use crate::reference::{self, Reference, ReferenceError};
@@ -39,6 +39,7 @@ impl Truth {
 /// One case in one format, the format still to be chosen.
 pub(super) struct OneUnit<'a> {
     pub(super) sweep: &'a Sweep,
+    pub(super) block: &'a Block,
     pub(super) name: &'a str,
     pub(super) case: &'a SymbolicCase,
     pub(super) format: FormatName,
@@ -51,34 +52,34 @@ pub(super) struct OneUnit<'a> {
 type Radiances = Vec<Result<Float, MethodError>>;
 
 impl WithFormat for OneUnit<'_> {
-    type Output = Unit;
+    type Output = (Unit, u64);
 
-    fn run<F: Format>(self, format: F) -> Unit {
+    fn run<F: Format>(self, format: F) -> (Unit, u64) {
         let shared = Shared::new(self.case, format);
         let fresh = Fresh::new(self.case, format);
-        let methods = &self.sweep.methods;
+        let methods = self.block.methods(self.sweep);
         let radiances = |n| {
-            if kept::shares(self.sweep, self.format, n) {
+            if kept::shares(methods, self.format, n) {
                 together(AnyNodes::new(&shared), n, methods)
             } else {
                 one_by_one(AnyNodes::new(&fresh), n, methods)
             }
         };
-        let rows = self.rows(format.bits(), &radiances);
+        let records = self.all(format.bits(), &radiances);
         let (radiance, unproved) = match &self.truth.reference {
             Ok(reference) => (reference.value.clone(), reference.unproved(self.case)),
             // Each level says why.
             Err(_) => (Float::with_val(format.bits(), Special::Nan), Vec::new()),
         };
-        Unit {
+        let unit = Unit {
             case: self.name.into(),
             format: self.format.to_string(),
             bits: format.bits(),
             radiance: number::rounded(&radiance),
             unproved,
-            evaluations: shared.evaluations() + fresh.evaluations(),
-            rows,
-        }
+            rows: self.block.rows(self.sweep, self.case, &records),
+        };
+        (unit, shared.evaluations() + fresh.evaluations())
     }
 }
 
@@ -98,31 +99,25 @@ fn one_by_one<F: Format>(nodes: AnyNodes<'_, F>, n: u64, methods: &[Method]) -> 
 }
 
 impl OneUnit<'_> {
-    /// The records of all methods; `radiances` gives those of a level.
-    fn rows(&self, bits: u32, radiances: &(dyn Fn(u64) -> Radiances + Sync)) -> Vec<Row> {
+    /// The records of the methods at each level; `radiances` gives those of one.
+    fn all(
+        &self,
+        bits: u32,
+        radiances: &(dyn Fn(u64) -> Radiances + Sync),
+    ) -> Vec<Vec<LevelRecord>> {
+        let methods = self.block.methods.len();
         let at = |&n: &u64| {
             let records = self.records(n, bits, radiances);
             self.progress
-                .advance(Estimate::work(self.sweep, self.format, n));
+                .advance(Estimate::work(self.sweep, self.format, n, methods));
             records
         };
-        let levels = &self.sweep.levels;
-        let records: Vec<Vec<LevelRecord>> = if self.levels_in_parallel {
-            parallel::map(levels, at)
+        let levels = self.block.levels(self.sweep);
+        if self.levels_in_parallel {
+            parallel::map(&levels, at)
         } else {
             levels.iter().map(at).collect()
-        };
-        let methods = self.sweep.methods.iter().enumerate();
-        let rows = methods.map(|(m, method)| Row {
-            method: method.name(),
-            expected: expected_on(method, self.case, levels).into(),
-            levels: records
-                .iter()
-                .filter_map(|level| level.get(m).cloned())
-                .collect(),
-            between: Vec::new(),
-        });
-        rows.collect()
+        }
     }
 
     /// The records of all methods at one level.
@@ -132,7 +127,7 @@ impl OneUnit<'_> {
         bits: u32,
         radiances: &(dyn Fn(u64) -> Radiances + Sync),
     ) -> Vec<LevelRecord> {
-        let methods = &self.sweep.methods;
+        let methods = self.block.methods(self.sweep);
         let exact = match &self.truth.reference {
             Ok(reference) => &reference.value,
             Err(error) => {

@@ -13,9 +13,10 @@ fn what_was_run_takes_what_it_took_and_the_rest_as_its_format_did() {
         Shard::begin(folder.path(), &division, 1).unwrap(),
         &division.work,
     );
-    // By the model each takes 1 s.
-    shard.keep(unit("mpfr:4", 4), 3.0).unwrap();
-    shard.keep(unit("mpfr:5", 5), 5.0).unwrap();
+    // By the model each takes 1 s, but the fourth.
+    let blocks = &division.work.blocks;
+    shard.keep(&blocks[0], unit("mpfr:4", 4), 3.0).unwrap();
+    shard.keep(&blocks[1], unit("mpfr:5", 5), 5.0).unwrap();
     let gathered = Gathered::new(folder.path(), &division).unwrap();
     let same = work();
     let model = vec![1.0; same.header.formats.len()];

@@ -54,7 +54,6 @@ pub(crate) fn unit(format: &str, bits: u32) -> Unit {
         bits,
         radiance: Float::with_val(80, 1),
         unproved: Vec::new(),
-        evaluations: 0,
         rows: vec![Row {
             method: "a × b".into(),
             expected: Theory::Order(P),

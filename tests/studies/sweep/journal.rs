@@ -115,8 +115,8 @@ fn a_line_in_the_middle_that_is_no_unit_of_the_study_is_refused_by_number() {
             "line 2: not a decimal number",
         ),
         (
-            "\"evaluations\":0",
-            "\"evaluations\":0,\"more\":1",
+            "\"rows\":",
+            "\"more\":1,\"rows\":",
             "line 2: unknown field `more`",
         ),
     ] {
