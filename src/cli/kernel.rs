@@ -51,6 +51,11 @@ fn seconds(text: &str) -> Result<f64, String> {
 }
 
 impl KernelArguments {
+    /// All of it as it stands on the command line.
+    pub(super) fn words(&self) -> &[String] {
+        &self.command
+    }
+
     fn kernel(&self) -> &str {
         self.command.first().map_or("", String::as_str)
     }

@@ -30,6 +30,7 @@ mod report;
 mod reproduce;
 mod scene;
 mod schema;
+mod shards;
 mod spacing;
 mod stress;
 mod study;
@@ -84,7 +85,7 @@ struct Arguments {
 /// What to do; each has a file of its own.
 #[derive(Subcommand)]
 pub(crate) enum Command {
-    Verify(verify::Verify),
+    Verify(Box<verify::Verify>),
     Identify(Box<identify::Identify>),
     Check(check::Check),
     Gradient(gradient::Gradient),

@@ -2,7 +2,6 @@
 
 pub(super) mod asked;
 pub(super) mod cases;
-mod engine;
 mod errors;
 pub(super) mod formats;
 pub(super) mod levels;
@@ -13,14 +12,13 @@ mod shard;
 use super::about::about;
 use super::budget::{Budget, HOUR, WORK};
 use super::output::said;
+use super::shards::Sharding;
 use super::{Bar, Failure, Outcome, waiting};
 use asked::Asking;
 use clap::Args;
-pub(super) use engine::SCRIPT;
 use formats::Formats;
 pub(super) use formats::names as format_names;
 use results::Forms;
-use shard::Sharding;
 use std::path::PathBuf;
 use std::thread;
 use volver::render;

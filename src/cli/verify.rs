@@ -1,8 +1,11 @@
 //! `volver verify`: a kernel put to the test.
 
+mod apart;
+
 use super::about::about;
 use super::kernel::{KERNELS, KernelArguments, subjects};
 use super::output::{Output, is_dash};
+use super::shards::Sharding;
 use super::spacing::{Spaced, spacing};
 use super::{Bar, CLOSED_PIPE, Color, Failure, Outcome, extremes, width, write_out};
 use clap::{Args, ValueEnum};
@@ -10,6 +13,7 @@ use rug::Rational;
 use std::path::PathBuf;
 use std::str::FromStr;
 use volver::convergence::Ladder;
+use volver::document::About;
 use volver::kernel::{Kernel, Subject, process};
 use volver::render::terminal;
 use volver::report::verify::{document, heading, json, junit, row, scattered_heading, write};
@@ -103,6 +107,8 @@ pub(crate) struct Verify {
     /// Keep what came out, for 'volver check'; - as above
     #[arg(long, value_name = "FILE")]
     save: Option<PathBuf>,
+    #[command(flatten)]
+    sharding: Sharding,
     /// Print no table
     #[arg(long)]
     quiet: bool,
@@ -148,9 +154,23 @@ impl Verify {
     pub(crate) fn run(self) -> Result<Outcome, Failure> {
         let output = self.output();
         check_dashes(&output)?;
+        self.sharding.refuse(&[("--extremes", self.extremes)])?;
         if self.extremes {
             return extremes::run(&self.kernel, &output);
         }
+        let settings = self.settings()?;
+        let at_once = self.kernel.at_once()?;
+        let subjects = subjects(&self.cases, "--cases")?;
+        output.check()?;
+        let mut kernel = at_once.map_or_else(|| self.kernel.program(), Ok)?;
+        if self.sharding.is_asked() {
+            return self.in_shards(kernel.as_mut(), &subjects, &settings);
+        }
+        self.tested(kernel, &subjects, &settings, &output, &about())
+    }
+
+    /// How the kernel is tested.
+    fn settings(&self) -> Result<Settings, Failure> {
         let axis = match self.axis {
             RefinedAxis::Step => Axis::Step,
             RefinedAxis::Grid => Axis::Grid,
@@ -180,18 +200,26 @@ impl Verify {
             self.kernel
                 .only_program("--batch", "which has no requests")?;
         }
-        let at_once = self.kernel.at_once()?;
-        let subjects = subjects(&self.cases, "--cases")?;
-        output.check()?;
-        let mut kernel = at_once.map_or_else(|| self.kernel.program(), Ok)?;
+        Ok(settings)
+    }
+
+    /// Runs it and hands out what came of it.
+    fn tested(
+        &self,
+        mut kernel: Box<dyn Kernel>,
+        subjects: &[Subject],
+        settings: &Settings,
+        output: &Output<'_>,
+        about: &About,
+    ) -> Result<Outcome, Failure> {
         let alone = output.out.is_none() && output.files.iter().all(|(_, file)| file.is_none());
         let mut rows = Rows::new(output.prints_text(), alone, self.color);
-        let verification = rows.run(kernel.as_mut(), &subjects, &settings, &self.kernel)?;
+        let verification = rows.run(kernel.as_mut(), subjects, settings, &self.kernel)?;
         // The child is gone before the last word.
         drop(kernel);
         output.hand_out(
-            &document(&verification, &about()),
-            |directory| write(directory, &verification, &about()),
+            &document(&verification, about),
+            |directory| write(directory, &verification, about),
             |option| match option {
                 "--json" => json(&verification),
                 "--junit" => Ok(junit(&verification)),

@@ -197,6 +197,18 @@ pub enum KernelError {
         /// What is wrong.
         problem: String,
     },
+    /// What went wrong when the answer was kept, in the words of then.
+    #[error("{words}")]
+    Kept {
+        /// These.
+        words: String,
+    },
+    /// A ray that was not asked when answers were kept.
+    #[error("no answer to {case} was kept (allowed: what was asked then)")]
+    NotKept {
+        /// The case.
+        case: String,
+    },
     /// A method of this crate that cannot be run so.
     #[error(transparent)]
     Method(#[from] crate::method::MethodError),

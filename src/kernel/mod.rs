@@ -60,6 +60,11 @@ pub trait Kernel: Debug + Send {
     /// What it says of itself.
     fn declaration(&self) -> &Declaration;
 
+    /// What it said of itself in its own words, where it is a program that has to be run to be asked.
+    fn greeting(&self) -> Option<&str> {
+        None
+    }
+
     /// What it answers of the task: the radiance of every channel, if its declaration says no other.
     ///
     /// # Errors

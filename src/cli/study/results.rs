@@ -16,16 +16,16 @@ pub(in crate::cli) const JOURNAL: &str = "study.jsonl";
 pub(in crate::cli) struct Forms {
     /// Write one JSON document; - is standard output, without the table
     #[arg(long, value_name = "FILE")]
-    json: Option<PathBuf>,
+    pub(in crate::cli) json: Option<PathBuf>,
     /// Write all levels as CSV; - is standard output, without the table
     #[arg(long, value_name = "FILE")]
-    csv: Option<PathBuf>,
+    pub(in crate::cli) csv: Option<PathBuf>,
     /// Print no table
     #[arg(long)]
     pub(in crate::cli) quiet: bool,
     /// Colour the verdicts
     #[arg(long, value_enum, default_value = "auto", value_name = "WHEN")]
-    color: Color,
+    pub(in crate::cli) color: Color,
 }
 
 impl Forms {

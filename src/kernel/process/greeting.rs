@@ -31,6 +31,8 @@ pub struct Greeting {
     /// How it wants its numbers.
     pub numbers: Numbers,
     pub(super) arrays: Arrays,
+    /// The line itself.
+    pub said: String,
 }
 
 /// What volver says first.
@@ -63,7 +65,11 @@ pub fn read(line: &[u8]) -> Result<Greeting, Trouble> {
         // Without one it is refused as any other key that is needed.
         (_, known) => serde_json::from_value(value)
             .map_err(|error| said(&error))
-            .and_then(|hello| greeting(known.unwrap_or(VERSION), hello)),
+            .and_then(|hello| greeting(known.unwrap_or(VERSION), hello))
+            .map(|greeting| Greeting {
+                said: String::from_utf8_lossy(line.trim_ascii_end()).into_owned(),
+                ..greeting
+            }),
     }
     .map_err(|problem| Trouble::Greeting { problem })
 }
@@ -161,6 +167,7 @@ fn greeting(version: u64, hello: KernelHello) -> Result<Greeting, String> {
         declaration,
         numbers: hello.numbers,
         arrays: hello.arrays,
+        said: String::new(),
     })
 }
 

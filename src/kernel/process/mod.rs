@@ -31,7 +31,7 @@ pub use options::Options;
 pub use registry::{stop_all, stop_all_and_exit};
 #[cfg(feature = "studies")]
 pub use schema::schema;
-pub use spoken::{answer, greeting, request};
+pub use spoken::{answer, declared, greeting, request};
 pub use written::Numbers;
 
 use super::pieces::{in_pieces, one};
@@ -370,6 +370,10 @@ fn parted(result: Result<Rendering, KernelError>) -> Result<(Rendering, Gradient
 impl Kernel for ProcessKernel {
     fn declaration(&self) -> &Declaration {
         &self.greeting.declaration
+    }
+
+    fn greeting(&self) -> Option<&str> {
+        Some(&self.greeting.said)
     }
 
     fn render(&mut self, task: &Task<'_>) -> Result<Rendering, KernelError> {

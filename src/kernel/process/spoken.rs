@@ -2,8 +2,9 @@
 
 use super::greeting::hello;
 use super::request::Writer;
+use super::trouble::Trouble;
 use super::written::{Numbers, Written};
-use crate::kernel::{KernelError, Rendering, Task};
+use crate::kernel::{Declaration, KernelError, Rendering, Task};
 use rug::Float;
 use serde::{Serialize, Serializer};
 
@@ -13,6 +14,22 @@ use serde::{Serialize, Serializer};
 /// None: a greeting can be written.
 pub fn greeting() -> Result<String, KernelError> {
     serde_json::to_string(&hello()).map_err(|error| KernelError::message(&error.into()))
+}
+
+/// What a program declares that said this line.
+///
+/// # Errors
+/// [`KernelError::Greeting`] where it is no kernel's greeting.
+pub fn declared(line: &str) -> Result<Declaration, KernelError> {
+    let greeting = super::greeting::read(line.as_bytes());
+    let greeting = greeting.map_err(|trouble| KernelError::Greeting {
+        problem: match trouble {
+            Trouble::Greeting { problem } => problem,
+            _ => "none of a kernel".into(),
+        },
+        stderr: String::new(),
+    })?;
+    Ok(greeting.declaration)
 }
 
 /// The request of that id for tasks, as a line without its end; arrays stand in the message.

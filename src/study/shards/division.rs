@@ -19,6 +19,9 @@ pub trait Divisible: Serialize + DeserializeOwned {
     /// What it is, for a message: `study`.
     const KIND: &'static str;
 
+    /// The command that does it: `study`.
+    const COMMAND: &'static str;
+
     /// The key of every unit, in the order in which they are reported.
     fn keys(&self) -> Vec<Key>;
 
@@ -33,6 +36,8 @@ pub trait Divisible: Serialize + DeserializeOwned {
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct Division<W> {
+    /// What it is of: [`Divisible::KIND`].
+    pub kind: String,
     /// The version of the program.
     pub volver: String,
     /// The command that does all of it on one machine.
@@ -45,6 +50,18 @@ pub struct Division<W> {
     pub costs: Vec<f64>,
     /// The first unit behind each shard.
     pub ends: Vec<usize>,
+}
+
+/// What a directory divides: [`Divisible::KIND`], where it divides something.
+#[must_use]
+pub fn kind_in(directory: &Path) -> Option<String> {
+    let found = value(&directory.join(FILE)).ok()?;
+    found.get("kind")?.as_str().map(Into::into)
+}
+
+fn value(path: &Path) -> Result<serde_json::Value, String> {
+    let text = input::text(path, input::COMPUTED).map_err(|e| e.to_string())?;
+    serde_json::from_str(&text).map_err(|e| e.to_string())
 }
 
 /// Why work is not divided so.
@@ -70,22 +87,22 @@ pub enum DivisionError {
         shards: usize,
     },
     /// Nothing is divided there.
-    #[error("{path} is not there (allowed: a directory of shards that volver {kind} made)")]
+    #[error("{path} is not there (allowed: a directory of shards that volver {command} made)")]
     Missing {
         /// The file.
         path: String,
-        /// What it is of.
-        kind: &'static str,
+        /// What makes one.
+        command: &'static str,
     },
     /// What is there is no division.
-    #[error("{path}: {reason} (allowed: a division as volver {kind} writes it)")]
+    #[error("{path}: {reason} (allowed: a division as volver {command} writes it)")]
     Unreadable {
         /// The file.
         path: String,
         /// What is wrong.
         reason: String,
-        /// What it is of.
-        kind: &'static str,
+        /// What makes one.
+        command: &'static str,
     },
     /// Another number of shards.
     #[error("{path} has {found} shards, not {wanted} (allowed: {found}, or another directory)")]
@@ -132,6 +149,7 @@ impl<W: Divisible> Division<W> {
             return Err(DivisionError::Shards { shards, units });
         }
         Ok(Division {
+            kind: W::KIND.into(),
             volver: env!("CARGO_PKG_VERSION").into(),
             command,
             ends: cut(&costs, shards),
@@ -177,17 +195,20 @@ impl<W: Divisible> Division<W> {
         if !path.exists() {
             return Err(DivisionError::Missing {
                 path: path.display().to_string(),
-                kind: W::KIND,
+                command: W::COMMAND,
             });
         }
         let unreadable = |reason: String| DivisionError::Unreadable {
             path: path.display().to_string(),
             reason,
-            kind: W::KIND,
+            command: W::COMMAND,
         };
-        let text = input::text(&path, input::COMPUTED).map_err(|e| unreadable(e.to_string()))?;
-        let found: serde_json::Value =
-            serde_json::from_str(&text).map_err(|e| unreadable(e.to_string()))?;
+        let found = value(&path).map_err(unreadable)?;
+        let kind = found.get("kind").and_then(serde_json::Value::as_str);
+        if kind != Some(W::KIND) {
+            let kind = kind.unwrap_or("nothing known").escape_debug();
+            return Err(unreadable(format!("it divides a {kind}, no {}", W::KIND)));
+        }
         let version = found.get("volver").and_then(serde_json::Value::as_str);
         let ours = env!("CARGO_PKG_VERSION");
         if let Some(version) = version.filter(|version| *version != ours) {

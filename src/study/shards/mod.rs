@@ -14,7 +14,7 @@ mod line;
 mod shard;
 
 pub use cut::cut;
-pub use division::{Divisible, Division, DivisionError};
+pub use division::{Divisible, Division, DivisionError, kind_in};
 pub use gathered::{Gathered, Part, Trouble};
 pub use key::Key;
 pub use shard::Shard;

@@ -29,6 +29,7 @@ pub struct Divided {
 
 impl Divisible for Divided {
     const KIND: &'static str = "study";
+    const COMMAND: &'static str = "study";
 
     fn keys(&self) -> Vec<Key> {
         let blocks = self.blocks.iter();

@@ -165,14 +165,26 @@ impl<'a> Asked<'a> {
         Ok(all.into_iter().filter(looked_at).collect())
     }
 
-    /// Asks all levels.
-    pub(super) fn of(&self, kernel: &mut dyn Kernel, progress: &dyn Progress) -> Answers {
-        let stochastic = self.declaration.stochastic;
-        let seeds = if stochastic {
+    /// How many seeds a level is asked with.
+    fn seeds(&self) -> usize {
+        if self.declaration.stochastic {
             self.settings.replicas
         } else {
             1
-        };
+        }
+    }
+
+    /// How many rays are asked, one for the coarsest level once more among them: [`Answers::rays`].
+    #[cfg(feature = "studies")]
+    pub(super) fn rays(&self) -> u64 {
+        let again = self.levels.len().min(1);
+        (self.levels.len() * self.seeds() + self.spots.len() + again) as u64
+    }
+
+    /// Asks all levels.
+    pub(super) fn of(&self, kernel: &mut dyn Kernel, progress: &dyn Progress) -> Answers {
+        let stochastic = self.declaration.stochastic;
+        let seeds = self.seeds();
         let of_level = |level| (0..seeds as u64).map(move |seed| (level, seed));
         let of_levels = self.levels.iter().flat_map(of_level);
         let rays: Vec<(&Level, u64)> = of_levels

@@ -105,6 +105,35 @@ pub(super) struct Ladder<'a> {
     pub(super) took: Duration,
 }
 
+/// Reads off what a kernel computes that has answered so many rays, in such a time where that is known.
+pub(super) fn examined(
+    kernel: &mut dyn Kernel,
+    settings: &Settings,
+    rays: u64,
+    took: Option<Duration>,
+    progress: &dyn Progress,
+) -> Examined {
+    // What comes next has nothing to do with what has failed.
+    kernel.renew();
+    let usual = Budget::default();
+    let budget = match settings.identify {
+        Identify::Full => usual,
+        Identify::Auto | Identify::Off => Budget {
+            rays: rays.clamp(FEWEST_RAYS, usual.rays),
+            time: took.map_or(Duration::MAX, |took| took.max(SHORTEST)),
+            ..usual
+        },
+    };
+    let mut before = 0;
+    let claimed = settings.expect.as_ref().map(Rational::to_f64);
+    let claimed = claimed.or(kernel.declaration().order);
+    examine_for(kernel, claimed, budget, &mut |spent: &Spent| {
+        // The search for a witness has its own count.
+        progress.advance(spent.segments.saturating_sub(before));
+        before = spent.segments;
+    })
+}
+
 /// Reads off what a kernel computes that has answered such a ladder.
 pub(super) fn identified(
     kernel: &mut dyn Kernel,
@@ -113,25 +142,8 @@ pub(super) fn identified(
     lines: &[Line],
     progress: &dyn Progress,
 ) -> Identified {
-    // What comes next has nothing to do with what has failed.
-    kernel.renew();
-    let usual = Budget::default();
-    let budget = match settings.identify {
-        Identify::Full => usual,
-        Identify::Auto | Identify::Off => Budget {
-            rays: ladder.rays.clamp(FEWEST_RAYS, usual.rays),
-            time: ladder.took.max(SHORTEST),
-            ..usual
-        },
-    };
-    let mut before = 0;
-    let claimed = settings.expect.as_ref().map(Rational::to_f64);
-    let claimed = claimed.or(kernel.declaration().order);
-    let mut examined = examine_for(kernel, claimed, budget, &mut |spent: &Spent| {
-        // The search for a witness has its own count.
-        progress.advance(spent.segments.saturating_sub(before));
-        before = spent.segments;
-    });
+    let took = Some(ladder.took);
+    let mut examined = examined(kernel, settings, ladder.rays, took, progress);
     let evaluates = match examined.declaration.form {
         FormKind::Function | FormKind::Formula(_) => true,
         FormKind::Segments | FormKind::Volume => false,

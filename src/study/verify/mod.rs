@@ -1,6 +1,8 @@
 //! A kernel put to the test: its orders on cases with known radiance, and what its values say it computes.
 
 mod accept;
+#[cfg(feature = "studies")]
+pub mod apart;
 mod asked;
 mod background;
 #[cfg(feature = "studies")]
@@ -282,6 +284,50 @@ fn missing<'a>(lines: impl Iterator<Item = &'a Line>) -> usize {
         .count()
 }
 
+/// What is asked of a kernel, as it takes it.
+struct Prepared {
+    declaration: Declaration,
+    settings: Settings,
+    subjects: Vec<Subject>,
+    /// Cases that it does not take.
+    left_out: Vec<String>,
+}
+
+impl Prepared {
+    fn new(
+        declaration: &Declaration,
+        subjects: &[Subject],
+        settings: &Settings,
+    ) -> Result<Prepared, VerifyError> {
+        declaration.check()?;
+        let settings = settings.suited(declaration)?;
+        if let (Some(count), Some(most)) = (settings.batch, declaration.batch)
+            && count > most.get()
+        {
+            return Err(VerifyError::Batch { count, most });
+        }
+        let subjects = background::before(subjects, declaration, &settings)?;
+        let (subjects, left_out) = left_out::sorted(subjects, declaration, &settings);
+        Ok(Prepared {
+            declaration: declaration.clone(),
+            settings,
+            subjects,
+            left_out,
+        })
+    }
+
+    /// Whether it is read off what it computes: rules are those of radiances.
+    fn identifies(&self) -> bool {
+        self.settings.identify != Identify::Off
+            && self.settings.axis == Axis::Step
+            && self.declaration.has(Quantity::Radiance)
+    }
+
+    fn asked<'a>(&'a self, subject: &'a Subject) -> Result<Asked<'a>, VerifyError> {
+        Asked::new(subject, &self.settings, &self.declaration)
+    }
+}
+
 /// Runs a kernel on all subjects; `shown` hears of every channel as soon as it is done.
 ///
 /// # Errors
@@ -294,31 +340,21 @@ pub fn verify(
     progress: &dyn Progress,
     shown: &mut dyn FnMut(&Line),
 ) -> Result<Verification, VerifyError> {
-    let declaration = kernel.declaration().clone();
-    declaration.check()?;
-    let settings = &settings.suited(&declaration)?;
-    if let (Some(count), Some(most)) = (settings.batch, declaration.batch)
-        && count > most.get()
-    {
-        return Err(VerifyError::Batch { count, most });
-    }
-    let subjects = background::before(subjects, &declaration, settings)?;
-    let (subjects, left_out) = left_out::sorted(subjects, &declaration, settings);
-    let subjects = &subjects[..];
+    let prepared = Prepared::new(kernel.declaration(), subjects, settings)?;
+    let identifies = prepared.identifies();
+    let Prepared {
+        settings, subjects, ..
+    } = &prepared;
     let mut lines = Vec::new();
     let mut unanswered = 0;
     let mut seeds = Seeds::new(settings.replicas);
     let started = Instant::now();
-    // Rules are those of radiances.
-    let identifies = settings.identify != Identify::Off
-        && settings.axis == Axis::Step
-        && declaration.has(Quantity::Radiance);
     let (mut seen, mut rays) = (Vec::new(), 0);
     for subject in subjects {
         if unanswered < UNANSWERED_CASES {
             kernel.renew();
         }
-        let asked = Asked::new(subject, settings, &declaration)?;
+        let asked = prepared.asked(subject)?;
         let answers = asked.of(kernel, progress);
         seeds.hear(&answers);
         unanswered = if answers.are_there() {
@@ -356,13 +392,19 @@ pub fn verify(
         }
         _ => None,
     };
+    let Prepared {
+        declaration,
+        settings,
+        left_out,
+        ..
+    } = prepared;
     let unsteady = explain::unsteady(&declaration, &lines).into_iter();
     let found = unsteady.chain(explain::outside(&lines));
     let findings = found.chain(left_out::finding(&left_out)).collect();
     let different_seeds = declaration.stochastic.then(|| seeds.different());
     let mut verification = Verification {
         declaration,
-        settings: settings.clone(),
+        settings,
         lines,
         identification,
         together,

@@ -121,7 +121,7 @@ fn what_cannot_be_is_named_in_one_line_and_nothing_is_lost() {
         error.contains("sbatch: it is not on the path (allowed: "),
         "{error}"
     );
-    assert!(at.join("many/study.sbatch").exists());
+    assert!(at.join("many/shards.sbatch").exists());
     let error = refused("--out many --on shell --shards 3 --only 2,4");
     assert!(
         error.contains("--only: shard 4 of 3 (allowed: 1 to 3)"),
@@ -152,8 +152,8 @@ fn what_cannot_be_is_named_in_one_line_and_nothing_is_lost() {
     // Another version of the program.
     let path = at.join("many/shards.json");
     let text = fs::read_to_string(&path).unwrap();
-    let own = format!("{{\"volver\":\"{}\"", env!("CARGO_PKG_VERSION"));
-    fs::write(&path, text.replacen(&own, "{\"volver\":\"0.0.1\"", 1)).unwrap();
+    let own = format!("\"volver\":\"{}\"", env!("CARGO_PKG_VERSION"));
+    fs::write(&path, text.replacen(&own, "\"volver\":\"0.0.1\"", 1)).unwrap();
     for (code, _, error) in [
         volver(at, "merge many"),
         study(at, "--out many --shard 2/3"),

@@ -8,7 +8,7 @@ use volver::document::quoted;
 use volver::render;
 
 /// The script's name in the directory.
-pub(in crate::cli) const SCRIPT: &str = "study.sbatch";
+pub(in crate::cli) const SCRIPT: &str = "shards.sbatch";
 
 impl Array<'_> {
     /// Writes the script and submits it, with the words that the user has for sbatch. What was submitted.
@@ -67,7 +67,7 @@ impl Array<'_> {
              #SBATCH --output={}\n\
              exec {command}\n",
             self.list(),
-            self.threads,
+            self.needs.threads,
             self.mebibytes(),
             quoted(&log),
         )

@@ -6,6 +6,7 @@ mod slurm;
 
 pub(in crate::cli) use slurm::SCRIPT;
 
+use super::Needs;
 use clap::ValueEnum;
 use std::path::Path;
 use volver::document::quoted;
@@ -25,30 +26,41 @@ pub(in crate::cli) enum Engine {
 pub(in crate::cli) struct Array<'a> {
     /// The command of one machine.
     pub(in crate::cli) command: &'a [String],
+    /// The word of it that says what it does.
+    pub(in crate::cli) verb: &'static str,
+    /// How many of its last words are not volver's.
+    pub(in crate::cli) own: usize,
     /// Where the shards are kept.
     pub(in crate::cli) directory: &'a Path,
     /// How many there are.
     pub(in crate::cli) shards: usize,
     /// Those to run, ascending.
     pub(in crate::cli) only: Vec<usize>,
-    /// Threads of one.
-    pub(in crate::cli) threads: usize,
-    /// Bytes that one takes.
-    pub(in crate::cli) bytes: f64,
+    /// What one takes.
+    pub(in crate::cli) needs: Needs,
 }
 
 impl Array<'_> {
     /// The command of a shard for a POSIX shell, `shard` being its number there, run by `program`. What it takes was said when it
     /// was divided.
     fn command(&self, program: &str, shard: &str) -> String {
+        let given = self.command.get(1..).unwrap_or_default();
+        let (given, own) = given.split_at(given.len().saturating_sub(self.own));
+        let own = own.iter().map(String::as_str);
         let mut words = vec![quoted(program)];
-        let given = self.command.iter().skip(1).map(String::as_str);
-        let given = given.filter(|word| !["--yes", "--quiet"].contains(word));
-        words.extend(given.map(quoted));
-        let (shards, threads) = (self.shards, self.threads);
-        words.push(format!(
-            "--shard {shard}/{shards} --threads {threads} --yes --quiet"
-        ));
+        for word in given {
+            if !["--yes", "--quiet"].contains(&word.as_str()) {
+                words.push(quoted(word));
+            }
+            // Behind the command's name: what is behind a kernel is the kernel's.
+            if word == self.verb {
+                words.push(format!(
+                    "--shard {shard}/{} {}",
+                    self.shards, self.needs.words
+                ));
+            }
+        }
+        words.extend(own.map(quoted));
         words.join(" ")
     }
 
@@ -77,7 +89,7 @@ impl Array<'_> {
     fn mebibytes(&self) -> u64 {
         /// What the program takes beside the numbers that are counted.
         const OWN: f64 = 256.0;
-        (self.bytes / f64::from(1 << 20) + OWN).ceil() as u64
+        (self.needs.bytes / f64::from(1 << 20) + OWN).ceil() as u64
     }
 }
 

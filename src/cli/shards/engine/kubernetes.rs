@@ -78,7 +78,7 @@ impl Array<'_> {
             here = text(here),
             run = text(&run),
             list = text(&shards.join(" ")),
-            cpu = text(&self.threads.to_string()),
+            cpu = text(&self.needs.threads.to_string()),
             memory = text(&format!("{}Mi", self.mebibytes())),
             claim = text(claim),
         )
