@@ -4,10 +4,9 @@ usage: shards.py VOLVER [ROUNDS [KIND]]
 
 58 channels x 20 pairs x 6 formats x 10 levels, of each KIND of errors [total and split], by one process on two threads and by 8 shards of one thread, two at a
 time; in turn, ROUNDS times [1], user and system time of all processes, medians. Then 64 shards, one at a time: the slowest beside the
-mean, of the seconds that their units took, cut by the model of costs alone and by what the 8 shards took. Joined results are compared.
+mean, cut by the model of costs alone and by what the 8 shards took. Joined results are compared.
 """
 import filecmp
-import glob
 import json
 import os
 import resource
@@ -60,15 +59,6 @@ def merge(out):
     subprocess.run([volver, "merge", out, "--quiet"], check=False)
 
 
-def evenness(out):
-    """The slowest shard in parts of the mean, of the seconds that their units took."""
-    sums = []
-    for path in glob.glob(f"{out}/shards/*.jsonl"):
-        with open(path) as file:
-            sums.append(sum(json.loads(line)["took"] for line in list(file)[1:]))
-    return max(sums) / statistics.mean(sums), len(sums)
-
-
 for ERRORS in sys.argv[3:] or ["total", "split"]:
     times = [(processor(one), processor(eight))]
     join = processor(lambda: merge("eight"))
@@ -80,9 +70,16 @@ for ERRORS in sys.argv[3:] or ["total", "split"]:
     shutil.copytree("eight", earlier)
     for name, more in [("model", []), ("learned", ["--costs", earlier])]:
         out = f"{name}-{ERRORS}"
-        # One at a time: what waits for a processor is not slow.
-        spent = processor(lambda: [subprocess.run(["sh", "-c", line], check=True) for line in lines(out, 64, *more)])
+        # One at a time, and processor time: what waits for a processor is not slow.
+        seconds = [processor(lambda: subprocess.run(["sh", "-c", line], check=True)) for line in lines(out, 64, *more)]
         merge(out)
         assert filecmp.cmp("one/study.jsonl", f"{out}/study.jsonl", shallow=False), "not what one process writes"
-        slowest, shards = evenness(out)
-        print(f"{ERRORS}: {shards} shards by the {name} costs: {spent:.1f} s, the slowest {slowest:.3f} of the mean", flush=True)
+        with open(f"{out}/shards.json") as file:
+            division = json.load(file)
+        sums = [sum(division["costs"][begin:end]) for begin, end in zip([0, *division["ends"]], division["ends"])]
+        uneven = [max(shards) / statistics.mean(shards) for shards in (sums, seconds)]
+        print(
+            f"{ERRORS}: 64 shards by the {name} costs: {sum(seconds):.1f} s in {len(division['costs'])} blocks, "
+            f"the slowest {uneven[0]:.3f} of the mean as foreseen, {uneven[1]:.3f} as they took",
+            flush=True,
+        )
