@@ -1,6 +1,7 @@
 //! A study in every form.
 
-use crate::fixture::{figures, sweep::results, tables};
+use crate::fixture::sweep::{many, results};
+use crate::fixture::{figures, tables};
 use parquet::file::reader::{FileReader, SerializedFileReader};
 use parquet::record::Field;
 use rug::Float;
@@ -344,4 +345,26 @@ fn names_of_files_are_safe_for_every_file_system_and_no_two_alike() {
     let long = format!("parts-{}-m", "a-".repeat(50).trim_end_matches('-'));
     let red = "parts-rgb-transfer-red-trapezoid-simpson-linear-exponential";
     assert_eq!(files, [red, "parts-x-boole", &long, &format!("{red}-2")]);
+}
+
+#[test]
+fn of_many_cases_there_is_an_overview_and_no_figure() {
+    assert_eq!(figures(&document(&many(200))).len(), 200);
+    let document = document(&many(201));
+    assert_eq!(figures(&document).len(), 0);
+    let text = terminal(&document, 120, false);
+    // By hand: 0.3/4096² of I = 1, and beside it 2 u √4096 in binary32.
+    let row = |format: &str| -> Vec<String> {
+        let words = text.lines().map(|line| line.split_whitespace());
+        let mut rows = words.map(|words| words.map(String::from).collect::<Vec<_>>());
+        let is_row = |row: &Vec<String>| row.starts_with(&["a", "×", "b", format].map(Into::into));
+        rows.find(is_row).unwrap().split_off(4)
+    };
+    assert_eq!(row("f64"), ["201", "181", "20", "7.7", "7.7", "case-0"]);
+    assert_eq!(row("f32"), ["201", "181", "20", "5.1", "5.1", "case-0"]);
+    assert!(text.contains("Against theory, 40 of 40"), "{text}");
+    assert!(text.contains("case-199"), "{text}");
+    // What is asked for by programs is all there.
+    let table = csv(&document).unwrap().remove(0).1;
+    assert_eq!(table.lines().count(), 1 + 201 * 2 * 10);
 }

@@ -3,6 +3,7 @@
 mod columns;
 mod json;
 mod levels;
+mod overview;
 mod paper;
 mod parts;
 mod whole;
@@ -28,12 +29,16 @@ use words::{
     LEGEND, NONE, best, crossing, exponent, judged, order, summary, theory, tone, warnings,
 };
 
+/// Cases that are named one by one.
+const NAMES: usize = 100;
+
 /// What verdicts are on.
 const SAID: &str = "The verdicts above are on the order of the discretization error, a line a case, method and format.";
 
 /// For every case and method its orders and roundoff, format by format, with what happened at some levels and the parts of the
 /// error as plots; then maps of correct digits. All levels are a table for CSV, the orders one for LaTeX. Where errors are known as
-/// a whole alone, what tells of their parts is left out.
+/// a whole alone, what tells of their parts is left out. Of more than [`overview::PAIRS`] cases times methods there is an overview
+/// in place of sections and plots.
 #[must_use]
 pub fn document(results: &Results, about: &About) -> Document {
     let mut document = Document::new("study", "A study of errors", about.clone());
@@ -48,18 +53,10 @@ pub fn document(results: &Results, about: &About) -> Document {
     document.conclusion = Some(Conclusion::new(summary(results)));
     document.sections.push(run(results));
     document.sections.extend(unproved(results));
-    let mut names = FileNames::default();
-    for (case, method, lines) in results.groups().filter(|(.., lines)| !lines.is_empty()) {
-        document.sections.push(match results.header.errors {
-            Errors::Split => parts(names.next("parts", &[case, method]), case, method, &lines),
-            Errors::Total => errors(names.next("errors", &[case, method]), case, method, &lines),
-        });
-    }
-    for (case, method, lines) in results.maps().filter(|(.., lines)| !lines.is_empty()) {
-        let file = names.next("digits", &[case, method]);
-        let title = format!("{case}, {method}: correct digits");
-        let map = Block::Table(map(&lines, &title).named(&file)).only(Medium::Written);
-        document.sections.push(Section::of(file, title, [map]));
+    if overview::pairs(results) > overview::PAIRS {
+        document.sections.extend(overview::sections(results));
+    } else {
+        document.sections.extend(each(results));
     }
     if !results.lines.is_empty() {
         let legend = match results.header.errors {
@@ -73,6 +70,25 @@ pub fn document(results: &Results, about: &About) -> Document {
             .push(Section::of("words", "Words", [legend]).aside());
     }
     document
+}
+
+/// A section for every case and method, and maps of digits.
+fn each(results: &Results) -> Vec<Section> {
+    let mut sections = Vec::new();
+    let mut names = FileNames::default();
+    for (case, method, lines) in results.groups().filter(|(.., lines)| !lines.is_empty()) {
+        sections.push(match results.header.errors {
+            Errors::Split => parts(names.next("parts", &[case, method]), case, method, &lines),
+            Errors::Total => errors(names.next("errors", &[case, method]), case, method, &lines),
+        });
+    }
+    for (case, method, lines) in results.maps().filter(|(.., lines)| !lines.is_empty()) {
+        let file = names.next("digits", &[case, method]);
+        let title = format!("{case}, {method}: correct digits");
+        let map = Block::Table(map(&lines, &title).named(&file)).only(Medium::Written);
+        sections.push(Section::of(file, title, [map]));
+    }
+    sections
 }
 
 /// What the cases rest on and is not proved.
@@ -100,7 +116,13 @@ pub fn write(dir: &Path, results: &Results, about: &About) -> Result<Vec<PathBuf
 fn run(results: &Results) -> Section {
     let header = &results.header;
     let names = header.cases.iter().map(|[name, ..]| name.as_str());
-    let names: Vec<&str> = names.collect();
+    let mut names: Vec<&str> = names.collect();
+    let more = names.len().saturating_sub(NAMES);
+    let more_names = format!("{more} more");
+    if more > 0 {
+        names.truncate(NAMES);
+        names.push(&more_names);
+    }
     let ladder: Vec<String> = header.levels.iter().map(ToString::to_string).collect();
     let mut formats: Vec<&str> = Vec::new();
     for line in results.lines.iter().filter(|line| !line.swept) {
