@@ -101,8 +101,8 @@ def fault(volver, folder, stage, entry, meaning):
     shutil.copy(ROOT / "examples/kernels/volver_kernel.py", work)
     (work / "mine.py").write_text(source, encoding="utf-8")
     cases = entry.get("cases", "sine-squared")
-    arguments = ["verify", "--cases", cases, "python3", "mine.py"]
-    printed = run(volver, work, [*arguments[:1], "--identify", "full", "--json", "found.json", "--out", "out", *arguments[1:]])
+    arguments = ["verify", "--identify", "full", "--cases", cases, "python3", "mine.py"]
+    printed = run(volver, work, [*arguments[:1], "--json", "found.json", "--out", "out", *arguments[1:]])
     if entry.get("by") == "identify":
         arguments = ["identify", "python3", "mine.py"]
         printed = run(volver, work, [*arguments[:1], "--json", "found.json", *arguments[1:]])
@@ -127,7 +127,7 @@ def fault(volver, folder, stage, entry, meaning):
 
 ## Built into a kernel
 
-Of [a ray marcher]({source_of(entry)}) it makes `mine.py`:
+[A ray marcher]({source_of(entry)}) with it is `mine.py`:
 
 ```diff
 {difference(plain, source)}
@@ -146,7 +146,7 @@ Of [a ray marcher]({source_of(entry)}) it makes `mine.py`:
 
 {entry['cure']}
 
-Where it is meant and stays, `--accept {name}` lets it pass, and [`volver check`](../verify.md#baselines-in-ci) sees that it does not get worse. All names: [what a kernel computes](../identify.md#deviations).
+Where it is meant and stays, `--accept {name}` lets the deviation pass, though no order that is too low; [`volver check`](../verify.md#baselines-in-ci) sees that it does not get worse. All names: [what a kernel computes](../identify.md#deviations).
 """
     (stage / "faults" / f"{name}.md").write_text(page, encoding="utf-8")
 

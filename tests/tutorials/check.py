@@ -22,7 +22,8 @@ import sys
 import tempfile
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
-PATIENCE = 300
+# The first build of the library takes minutes.
+PATIENCE = 1800
 NUMBER = re.compile(r"\d+(?:\.\d+)?(?:e[-+]?\d+)?")
 
 
@@ -150,8 +151,12 @@ class Page:
         where = ROOT if block.option("in") == "source" else self.folder
         # Standard error belongs to what a reader sees.
         script = "set -euo pipefail\n" + block.text
+        environment = dict(self.environment)
+        if where == self.folder:
+            # A reader's crate has a target folder of its own.
+            environment.pop("CARGO_TARGET_DIR", None)
         done = subprocess.run(
-            ["bash", "-c", script], cwd=where, env=self.environment, timeout=PATIENCE,
+            ["bash", "-c", script], cwd=where, env=environment, timeout=PATIENCE,
             stdin=subprocess.DEVNULL, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True,
         )  # fmt: skip
         wanted = int(block.option("exit") or 0)
