@@ -74,14 +74,13 @@ class Browser:
                     raise RuntimeError(f"{method}: {answer['error']['message']}")
                 return answer.get("result", {})
 
-    def open(self, url):
-        """Loads a page, and forgets what earlier ones did."""
+    def open(self, url, patience=0.2):
+        """Loads a page, and forgets what earlier ones did; what it starts then has so many seconds."""
         self.said, self.asked, self.loaded = [], [], False
         self.call("Page.navigate", url=url)
         while not self.loaded:
             self._next()
-        # What a page starts when it is loaded has its chance.
-        until = time.monotonic() + 0.2
+        until = time.monotonic() + patience
         while time.monotonic() < until:
             self.run("0")
 
