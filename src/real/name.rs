@@ -4,6 +4,7 @@
 mod error;
 pub use error::FormatError;
 
+use super::lanes::LaneFormat;
 use super::{Fixed, Format, Ieee, MAX_INTEGER, Mpfr, Native};
 use std::fmt;
 use std::str::FromStr;
@@ -158,19 +159,18 @@ impl FormatName {
         }
     }
 
-    /// Does `action` in this format. What is done in binary32, binary64 and MPFR is compiled for each of them; in all
-    /// other formats the numbers are [`AnyReal`](super::AnyReal)s, so that it is compiled once for them together.
+    /// Does `action` in this format. What is done in binary32, binary64, both in lanes, and MPFR is compiled for each of them;
+    /// in all other formats the numbers are [`AnyReal`](super::AnyReal)s, so that it is compiled once for them together.
     pub fn with<W: WithFormat>(self, action: W) -> W::Output {
         match self {
             FormatName::F32 => action.run(Native::<f32>::new()),
             FormatName::F64 => action.run(Native::<f64>::new()),
+            FormatName::F32Lanes => action.run(LaneFormat::<f32>::new()),
+            FormatName::F64Lanes => action.run(LaneFormat::<f64>::new()),
             FormatName::Mpfr(bits) => action.run(Mpfr { bits }),
-            FormatName::F16
-            | FormatName::Bf16
-            | FormatName::F32Lanes
-            | FormatName::F64Lanes
-            | FormatName::Ieee(_)
-            | FormatName::Fixed(_) => action.run(self),
+            FormatName::F16 | FormatName::Bf16 | FormatName::Ieee(_) | FormatName::Fixed(_) => {
+                action.run(self)
+            }
         }
     }
 }

@@ -37,7 +37,8 @@ fn apart(sweep: &Sweep, costs: &[f64], shards: usize) -> (Vec<Block>, Vec<Unit>)
 
 fn hard(errors: Errors) -> Sweep {
     Sweep {
-        cases: ["sine-squared", "jump-off-node"]
+        // On the last one methods need different bits of the oracle.
+        cases: ["sine-squared", "jump-off-node", "deep-rise"]
             .map(|name| (name.into(), case(name)))
             .into(),
         methods: [
@@ -67,12 +68,7 @@ fn as_many_shards_as_there_are_methods_and_levels_make_the_same_units() {
         let wanted = whole(&sweep);
         for shards in [2, 7, 64] {
             let (blocks, found) = apart(&sweep, &vec![1.0; units], shards);
-            assert_eq!(
-                blocks.len() > units,
-                shards > 2,
-                "{shards} {}",
-                blocks.len()
-            );
+            assert!(blocks.len() > units, "{shards} {}", blocks.len());
             assert!(found == wanted, "{errors} in {shards}");
         }
     }
