@@ -5,6 +5,7 @@ use crate::convergence::table::FloorSource;
 use crate::convergence::{Fit, Sample};
 use crate::method::Expected;
 use crate::render::ReportError;
+use crate::report::schema::written;
 use schemars::JsonSchema;
 use serde::Serialize;
 use serde_json::Value;
@@ -31,7 +32,7 @@ struct Document<'a> {
 /// The JSON Schema of [`json`].
 #[must_use]
 pub fn schema() -> Value {
-    schemars::schema_for!(Document<'_>).to_value()
+    written::<Document<'_>>()
 }
 
 /// The fields of the [`Fit`], and `passes`, `expected`, `at_least`, `source`, `floor_source` and `samples`; order, half-width and

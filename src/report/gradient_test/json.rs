@@ -2,6 +2,7 @@
 
 use crate::convergence::{Fit, Sample, Taylor};
 use crate::render::ReportError;
+use crate::report::schema::written;
 use schemars::JsonSchema;
 use serde::Serialize;
 
@@ -22,7 +23,7 @@ struct Document<'a> {
 /// The JSON Schema of [`json`].
 #[must_use]
 pub fn schema() -> serde_json::Value {
-    schemars::schema_for!(Document<'_>).to_value()
+    written::<Document<'_>>()
 }
 
 /// `{"remainder": "first-order", "passes": false, "first": …, "second": …, "slope": …, "wrong_by": …, "roundoff": …, "fit": …}`, indented,

@@ -4,6 +4,7 @@ use super::Other;
 use crate::identify::{self, Deviation, Examined, Kind, NotIdentified, Witness, parts};
 use crate::method::Method;
 use crate::render::ReportError;
+use crate::report::schema::written;
 use schemars::JsonSchema;
 use serde::Serialize;
 use serde_json::Value;
@@ -209,7 +210,7 @@ pub(in crate::report) struct Cost {
 /// The JSON Schema of [`json`].
 #[must_use]
 pub fn schema() -> Value {
-    schemars::schema_for!(Document<'_>).to_value()
+    written::<Document<'_>>()
 }
 
 /// `{"volver": version, "kernel": …, "verdict": …, "rule": …, "deviations": […], "witness": …}`, indented, with a newline

@@ -5,6 +5,7 @@ use crate::case::{Case, Unproved};
 use crate::convergence::{float_schema, serialize_float};
 use crate::render::ReportError;
 use crate::report::cases::{decimal_of, serialize_optional};
+use crate::report::schema::written;
 use rug::Float;
 use schemars::JsonSchema;
 use serde::Serialize;
@@ -45,7 +46,7 @@ struct Object<'a> {
 /// The JSON Schema of [`json`].
 #[must_use]
 pub fn schema() -> Value {
-    schemars::schema_for!(Document<'_>).to_value()
+    written::<Document<'_>>()
 }
 
 /// All channels, indented, with a newline at the end.

@@ -4,6 +4,7 @@ use crate::case::Unproved;
 use crate::convergence::Fit;
 use crate::convergence::{Laws, float_schema, serialize_float};
 use crate::report::ReportError;
+use crate::report::schema::written;
 use crate::study::sweep::{Bits, Errors, Line, Results, SplitSummary, State, Theory};
 use rug::Float;
 use schemars::JsonSchema;
@@ -87,7 +88,7 @@ struct Best {
 /// The JSON Schema of [`json`].
 #[must_use]
 pub fn schema() -> Value {
-    schemars::schema_for!(Document<'_>).to_value()
+    written::<Document<'_>>()
 }
 
 /// `{"volver": version, "settings": {…}, "rows": […]}`, indented, with a newline at the end. Rows have the

@@ -7,6 +7,7 @@ use crate::convergence::{
 };
 use crate::identify::Together;
 use crate::kernel::{Declaration, KernelError, Quantity, Quantum, Rendering, Source, UlpBound};
+use crate::report::schema::written;
 use crate::report::{ReportError, identify};
 use crate::study::verify::{
     self as standing, Acceptance, Axis, Beyond, Identified, Line, Measured, Verification,
@@ -240,7 +241,7 @@ struct Failure {
 /// The JSON Schema of [`json`].
 #[must_use]
 pub fn schema() -> serde_json::Value {
-    schemars::schema_for!(Document<'_>).to_value()
+    written::<Document<'_>>()
 }
 
 /// `{"volver": version, "kernel": …, "conclusion": …, "identification": …, "lines": […]}`, indented, with a newline at
