@@ -62,6 +62,7 @@ def write():
             # There is none in the package, and each of these may be had under MIT's.
             assert "MIT" in package["license"], name
             holders.setdefault(mit(package["authors"]), []).append(f"{name}: as it states")
+    listed.append("Rust's standard library: MIT OR Apache-2.0 (https://github.com/rust-lang/rust)")
     parts = ["The program volver links the crates below. Their licences follow, each text once.", "\n".join(listed)]
     parts += [f"{RULE}\n" + "\n".join(names) + f"\n{RULE}\n\n{text}" for text, names in holders.items()]
     WHOLE.write_text("\n\n".join(parts) + "\n", encoding="utf-8")

@@ -130,7 +130,7 @@ def run(arguments: Sequence[str], kernel: Kernel, timeout: float) -> Ran:
         finally:
             answers.close()
         ran = Ran(process.returncode, _text(out), _text(err))
-    if guard.interrupted and ran.code == 2 and f"no answer in {timeout:g} s" in ran.err:
+    if guard.interrupted and ran.code == 2 and ": no answer in " in ran.err:
         raise TimedOut(f"{kernel.name}: no answer in {timeout:g} s (allowed: up to timeout={timeout:g})")
     if ran.code < 0:
         return Ran(2, "", f"the program was ended by signal {-ran.code}")
