@@ -19,6 +19,11 @@ command = [*sys.argv[1:split], f"fd:{read_answers},{write_requests}"]
 child = subprocess.Popen(command, pass_fds=(read_answers, write_requests))
 os.close(write_requests)
 os.close(read_answers)
+# What kernel.py prints is not volver's.
+nowhere = os.open(os.devnull, os.O_WRONLY)
+os.dup2(nowhere, 1)
+os.dup2(nowhere, 2)
+os.close(nowhere)
 # Where kernel.py looks for them; the lower one is moved first.
 os.dup2(read_requests, 3)
 os.dup2(write_answers, 4)
@@ -34,7 +39,7 @@ threading.Thread(target=end, daemon=True).start()
 sys.argv = [script, *sys.argv[split + 1 :]]
 try:
     runpy.run_path(script, run_name="__main__")
-except SystemExit:
+except (SystemExit, OSError):
     pass
-os.close(4)
+os.closerange(3, 5)
 end()

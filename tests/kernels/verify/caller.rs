@@ -56,7 +56,11 @@ fn what_fails_once_is_given_up_at_once() {
         run.hides("confirmed");
     }
     let run = verify(&[], &["--trouble", "start-garbage"]).with_code(2);
-    assert!(run.err.contains(": no JSON object: "), "{}", run.err);
+    assert!(
+        run.err.contains("no JSON object in the answer 'hello!'"),
+        "{}",
+        run.err
+    );
 }
 
 #[test]
