@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Writes volver/_schemas.py and volver/_declaration.py from the schemas that the program prints.
+"""Writes volver/_schemas.py, _declaration.py and _version.py from what the program prints.
 
     python/generate.py VOLVER            # writes
     python/generate.py VOLVER --check    # exit code 1 where what is there is stale
@@ -48,7 +48,7 @@ class Classes:
 
     def text(self, name, spec, definitions):
         needed = set(spec.get("required", []))
-        lines = ["@dataclass(frozen=True)", f"class {name}:", wrapped(spec.get("description", f"{name}."), "    "), ""]
+        lines = ["@dataclass(eq=False, repr=False)", f"class {name}(Record):", wrapped(spec.get("description", f"{name}."), "    "), ""]
         reads = []
         # Those that are always there come first, as dataclasses want it.
         properties = sorted(spec["properties"].items(), key=lambda item: item[0] not in needed)
@@ -143,6 +143,8 @@ from collections.abc import Mapping
 from dataclasses import dataclass
 from typing import Any
 
+from ._record import Record
+
 '''
     return head + "\n".join("\n" + text for text in classes.written.values())
 
@@ -174,11 +176,24 @@ def declaration(volver):
     return "\n".join(lines) + "\n"
 
 
+def version(volver):
+    printed = subprocess.run([volver, "--version"], check=True, capture_output=True, text=True).stdout
+    return (
+        '"""The version of the program and of this package; made by python/generate.py."""\n\n'
+        f'VERSION = "{printed.split()[1]}"\n'
+    )
+
+
 def main():
     volver, *options = sys.argv[1:]
     folder = Path(__file__).parent / "volver"
     stale = []
-    for name, text in [("_schemas.py", results(volver)), ("_declaration.py", declaration(volver))]:
+    written = {
+        "_schemas.py": results(volver),
+        "_declaration.py": declaration(volver),
+        "_version.py": version(volver),
+    }
+    for name, text in written.items():
         path = folder / name
         if options == ["--check"]:
             if path.read_text(encoding="utf-8") != text:

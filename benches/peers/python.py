@@ -40,13 +40,20 @@ def counted(ray):
 if sys.argv[1] == "verify":
     found = volver.verify(render, name="marcher", order=2, cases="@first")
     print(json.dumps([[line.name, line.verdict, line.order] for line in found.lines]))
+elif sys.argv[1] == "again":
+    for _ in range(5):
+        volver.verify(render, name="marcher", order=2, cases="@first")
 elif sys.argv[1] == "import":
     pass
 else:
-    volver.verify(counted, order=2, cases="sine-squared", ladder="8..64")
-    count, before = 0, time.process_time()
-    volver.verify(counted, order=2, cases="@first", ladder="4,8,16,32,64,128,256")
-    print(json.dumps([count, time.process_time() - before]))
+    spent = []
+    for replicas in 8, 88:
+        count, before = 0, time.process_time()
+        volver.verify(counted, stochastic=True, replicas=replicas, cases="@first", ladder="4..64", identify="off")
+        spent.append((count, time.process_time() - before))
+    # The difference: what a run costs besides its rays is in both.
+    (few, less), (many, more) = spent
+    print(json.dumps([many - few, more - less]))
 '''
 
 
@@ -77,11 +84,14 @@ def main():
         verdicts = [line[:2] for line in lines] == [line[:2] for line in same]
         apart = max(abs(a[2] - b[2]) for a, b in zip(lines, same) if a[2] is not None and b[2] is not None)
         print(f"{len(lines)} channels, verdicts {'the same' if verdicts else 'NOT the same'}, orders at most {apart:.1e} apart")
-        seconds = {"C library": [], "NumPy": [], "import": []}
+        seconds = {"C library": [], "NumPy": [], "import": [], "again": []}
         for _ in range(rounds):
             seconds["C library"].append(cost(inside)[0])
             seconds["NumPy"].append(cost(outside)[0])
             seconds["import"].append(cost([sys.executable, script, "import"])[0])
+            # What one more takes in the same process, of five.
+            five = cost([sys.executable, script, "again"])[0]
+            seconds["again"].append((five - seconds["NumPy"][-1]) / 4)
         for what, all_ in seconds.items():
             low, middle, high = statistics.quantiles(all_, n=4)
             print(f"{what:10} {middle:.3f} s ({low:.3f} to {high:.3f})")
@@ -89,6 +99,8 @@ def main():
         print(f"ratio {statistics.median(ratios):.3f} ({ratios[0]:.3f} to {ratios[-1]:.3f})")
         less = sorted((b - c) / a for a, b, c in zip(seconds["C library"], seconds["NumPy"], seconds["import"]))
         print(f"without the start of Python and the imports {statistics.median(less):.3f}")
+        again = sorted(b / a for a, b in zip(seconds["C library"], seconds["again"]))
+        print(f"once more in the same process {statistics.median(again):.3f} ({again[0]:.3f} to {again[-1]:.3f})")
         each = []
         for _ in range(rounds):
             count, spent = json.loads(cost([sys.executable, script, "ray"])[1])

@@ -20,6 +20,7 @@ from typing import TYPE_CHECKING, Any
 from ._assertion import assert_order
 from ._commands import fit, gradient_test, identify, plan, reference, study, verify
 from ._errors import MissingError, Refused, RenderError, TimedOut, VolverError
+from ._version import VERSION as __version__  # noqa: F401
 
 if TYPE_CHECKING:
     from ._rays import Formula, Samples, Segments, Volume
@@ -55,10 +56,6 @@ __all__ = [
 
 def __getattr__(name: str) -> Any:
     # Classes of results cost more than an import may: they are made when they are asked for.
-    if name == "__version__":
-        from ._program import version
-
-        return version()
     if name in __all__:
         from . import _rays, _results
 

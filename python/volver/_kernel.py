@@ -9,8 +9,9 @@ from collections.abc import Callable, Sequence
 from typing import TYPE_CHECKING, Any, BinaryIO
 
 from ._arrays import Arrays, numpy
-from ._errors import Refused, RenderError, VolverError
+from ._errors import MissingError, Refused, RenderError, VolverError
 from ._rays import Samples, Segments, formula_of, volume_of
+from ._version import VERSION
 
 if TYPE_CHECKING:
     from ._session import Guard
@@ -63,6 +64,7 @@ class Kernel:
         if form == "formula":
             self.greeting["language"] = "python"
         self.process = os.getpid()
+        self.greeted = False
 
     def serve(self, requests: BinaryIO, answers: BinaryIO, guard: Guard) -> None:
         """Answers until no more is asked."""
@@ -72,6 +74,9 @@ class Kernel:
             head: dict[str, Any]
             blocks: list[bytes] = []
             if kind == "hello":
+                if message["program"] != f"volver {VERSION}":
+                    raise MissingError(f"the program is '{message['program']}' (allowed: 'volver {VERSION}', as the package)")
+                self.greeted = True
                 head = self.greeting
             elif kind == "frame":
                 data = bytearray(message["bytes"])

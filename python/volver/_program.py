@@ -9,6 +9,7 @@ from collections.abc import Sequence
 from typing import NamedTuple
 
 from ._errors import MissingError, VolverError
+from ._version import VERSION
 
 _found: dict[str, str] = {}
 
@@ -21,45 +22,37 @@ class Ran(NamedTuple):
     err: str
 
 
-def version() -> str:
-    """The version of this package."""
-    from importlib.metadata import PackageNotFoundError
-    from importlib.metadata import version as installed
-
-    try:
-        return installed("volver")
-    except PackageNotFoundError:
-        raise MissingError("the package 'volver' is not installed (allowed: pip install of its wheel)") from None
-
-
-def program() -> str:
-    """The path of the program: $VOLVER_PROGRAM, beside this interpreter, in the user's scripts, on the path."""
+def program(check: bool = True) -> str:
+    """The path of the program: $VOLVER_PROGRAM, beside this interpreter, among the scripts, on the path."""
     asked = os.environ.get("VOLVER_PROGRAM", "")
-    if asked not in _found:
-        _found[asked] = _checked(asked or _search())
-    return _found[asked]
+    if asked in _found:
+        return _found[asked]
+    path = asked or _search()
+    if check:
+        _found[asked] = _checked(path)
+    return path
 
 
 def _search() -> str:
+    beside = os.path.join(os.path.dirname(sys.executable), "volver")
+    if os.access(beside, os.X_OK):
+        return beside
     import shutil
     import sysconfig
 
-    places = [sysconfig.get_path("scripts"), os.path.dirname(sys.executable)]
+    places = [sysconfig.get_path("scripts")]
     user = "posix_user" if os.name == "posix" else "nt_user"
     if user in sysconfig.get_scheme_names():
         places.append(sysconfig.get_path("scripts", user))
-    for place in places:
+    for place in [*places, None]:
         found = shutil.which("volver", path=place)
         if found:
             return found
-    found = shutil.which("volver")
-    if found:
-        return found
     raise MissingError(f"no program 'volver' in {places[0]} or on the path (allowed: pip install of volver's wheel)")
 
 
 def _checked(path: str) -> str:
-    wanted = f"volver {version()}"
+    wanted = f"volver {VERSION}"
     try:
         ran = subprocess.run([path, "--version"], capture_output=True, text=True, timeout=60, check=False)
     except (OSError, subprocess.SubprocessError) as error:

@@ -6,9 +6,11 @@ from collections.abc import Mapping
 from dataclasses import dataclass
 from typing import Any
 
+from ._record import Record
 
-@dataclass(frozen=True)
-class Counts:
+
+@dataclass(eq=False, repr=False)
+class Counts(Record):
     """Counts."""
 
     blind: int
@@ -31,8 +33,8 @@ class Counts:
         )
 
 
-@dataclass(frozen=True)
-class Finding:
+@dataclass(eq=False, repr=False)
+class Finding(Record):
     """Finding."""
 
     channels: list[str]
@@ -47,8 +49,8 @@ class Finding:
         )
 
 
-@dataclass(frozen=True)
-class UlpBound:
+@dataclass(eq=False, repr=False)
+class UlpBound(Record):
     """A function of x is off by at most a + b |x| units in the last place of its result."""
 
     a: float
@@ -63,8 +65,8 @@ class UlpBound:
         )
 
 
-@dataclass(frozen=True)
-class Kernel:
+@dataclass(eq=False, repr=False)
+class Kernel(Record):
     """What is declared beside the format, where anything is."""
 
     answers: list[str]
@@ -123,8 +125,8 @@ class Kernel:
         )
 
 
-@dataclass(frozen=True)
-class Failure:
+@dataclass(eq=False, repr=False)
+class Failure(Record):
     """Failure."""
 
     error: str
@@ -139,8 +141,8 @@ class Failure:
         )
 
 
-@dataclass(frozen=True)
-class Beyond:
+@dataclass(eq=False, repr=False)
+class Beyond(Record):
     """From where on levels do not show the order."""
 
     by: str
@@ -157,8 +159,8 @@ class Beyond:
         )
 
 
-@dataclass(frozen=True)
-class FloorCut:
+@dataclass(eq=False, repr=False)
+class FloorCut(Record):
     """Where the roundoff floor ended the ladder."""
 
     floor: float | str
@@ -178,8 +180,8 @@ class FloorCut:
         )
 
 
-@dataclass(frozen=True)
-class Pair:
+@dataclass(eq=False, repr=False)
+class Pair(Record):
     """Two neighbouring levels with finite, nonzero errors."""
 
     above_floor: bool
@@ -205,8 +207,8 @@ class Pair:
         )
 
 
-@dataclass(frozen=True)
-class Window:
+@dataclass(eq=False, repr=False)
+class Window(Record):
     """The levels an order was fitted in."""
 
     coarsest_n: int | None
@@ -239,8 +241,8 @@ class Window:
         )
 
 
-@dataclass(frozen=True)
-class Fit:
+@dataclass(eq=False, repr=False)
+class Fit(Record):
     """An order of accuracy with its interval, and what that says."""
 
     cut: FloorCut | None
@@ -281,8 +283,8 @@ class Fit:
         )
 
 
-@dataclass(frozen=True)
-class ReportedError:
+@dataclass(eq=False, repr=False)
+class ReportedError(Record):
     """Reported standard errors as a multiple of the scatter."""
 
     high: float | None
@@ -303,8 +305,8 @@ class ReportedError:
         )
 
 
-@dataclass(frozen=True)
-class Sample:
+@dataclass(eq=False, repr=False)
+class Sample(Record):
     """One run at one level: its step, its signed error, and the roundoff floor there."""
 
     error: float | str
@@ -327,8 +329,8 @@ class Sample:
         )
 
 
-@dataclass(frozen=True)
-class OrderInterval:
+@dataclass(eq=False, repr=False)
+class OrderInterval(Record):
     """An order with its 99.9 % interval."""
 
     high: float | None
@@ -354,8 +356,8 @@ class OrderInterval:
         )
 
 
-@dataclass(frozen=True)
-class LevelMoments:
+@dataclass(eq=False, repr=False)
+class LevelMoments(Record):
     """Mean and standard deviation of one level."""
 
     above_floor: bool
@@ -387,8 +389,8 @@ class LevelMoments:
         )
 
 
-@dataclass(frozen=True)
-class StochasticFit:
+@dataclass(eq=False, repr=False)
+class StochasticFit(Record):
     """The orders of a stochastic method: of its scatter, and of its bias."""
 
     bias: OrderInterval | None
@@ -420,8 +422,8 @@ class StochasticFit:
         )
 
 
-@dataclass(frozen=True)
-class Unproved:
+@dataclass(eq=False, repr=False)
+class Unproved(Record):
     """A statement that a case rests on and that is not proved."""
 
     claim: str
@@ -438,8 +440,8 @@ class Unproved:
         )
 
 
-@dataclass(frozen=True)
-class Line:
+@dataclass(eq=False, repr=False)
+class Line(Record):
     """Line."""
 
     exact: float | str
@@ -488,8 +490,8 @@ class Line:
         )
 
 
-@dataclass(frozen=True)
-class Answers:
+@dataclass(eq=False, repr=False)
+class Answers(Record):
     """A quantity that is answered beside the first."""
 
     counts: Counts
@@ -506,8 +508,8 @@ class Answers:
         )
 
 
-@dataclass(frozen=True)
-class Declared:
+@dataclass(eq=False, repr=False)
+class Declared(Record):
     """In how many channels values are those of the declared method."""
 
     agree: int
@@ -522,8 +524,8 @@ class Declared:
         )
 
 
-@dataclass(frozen=True)
-class Apart:
+@dataclass(eq=False, repr=False)
+class Apart(Record):
     """The first ray that differs."""
 
     alone: list[str] | None
@@ -545,8 +547,8 @@ class Apart:
         )
 
 
-@dataclass(frozen=True)
-class Batch:
+@dataclass(eq=False, repr=False)
+class Batch(Record):
     """Many rays in one request."""
 
     accepted: bool
@@ -573,8 +575,8 @@ class Batch:
         )
 
 
-@dataclass(frozen=True)
-class Agreement:
+@dataclass(eq=False, repr=False)
+class Agreement(Record):
     """The rule against the values of the ladder."""
 
     agree: int
@@ -591,8 +593,8 @@ class Agreement:
         )
 
 
-@dataclass(frozen=True)
-class Cost:
+@dataclass(eq=False, repr=False)
+class Cost(Record):
     """What was asked."""
 
     longest: int
@@ -613,8 +615,8 @@ class Cost:
         )
 
 
-@dataclass(frozen=True)
-class Deviation:
+@dataclass(eq=False, repr=False)
+class Deviation(Record):
     """Deviation."""
 
     bracket: list[float] | None
@@ -643,8 +645,8 @@ class Deviation:
         )
 
 
-@dataclass(frozen=True)
-class NotIdentified:
+@dataclass(eq=False, repr=False)
+class NotIdentified(Record):
     """NotIdentified."""
 
     columns: list[str]
@@ -661,8 +663,8 @@ class NotIdentified:
         )
 
 
-@dataclass(frozen=True)
-class OpacityShown:
+@dataclass(eq=False, repr=False)
+class OpacityShown(Record):
     """OpacityShown."""
 
     got: float | None
@@ -681,8 +683,8 @@ class OpacityShown:
         )
 
 
-@dataclass(frozen=True)
-class Opacity:
+@dataclass(eq=False, repr=False)
+class Opacity(Record):
     """Opacity."""
 
     agree: int
@@ -702,8 +704,8 @@ class Opacity:
         )
 
 
-@dataclass(frozen=True)
-class Part:
+@dataclass(eq=False, repr=False)
+class Part(Record):
     """Part."""
 
     part: str
@@ -720,8 +722,8 @@ class Part:
         )
 
 
-@dataclass(frozen=True)
-class Rule:
+@dataclass(eq=False, repr=False)
+class Rule(Record):
     """Rule."""
 
     c: str
@@ -745,8 +747,8 @@ class Rule:
         )
 
 
-@dataclass(frozen=True)
-class Validated:
+@dataclass(eq=False, repr=False)
+class Validated(Record):
     """Validated."""
 
     agree: int
@@ -767,8 +769,8 @@ class Validated:
         )
 
 
-@dataclass(frozen=True)
-class Scattered:
+@dataclass(eq=False, repr=False)
+class Scattered(Record):
     """Scattered."""
 
     law: Any
@@ -790,8 +792,8 @@ class Scattered:
         )
 
 
-@dataclass(frozen=True)
-class Witness:
+@dataclass(eq=False, repr=False)
+class Witness(Record):
     """Witness."""
 
     channel: int
@@ -816,8 +818,8 @@ class Witness:
         )
 
 
-@dataclass(frozen=True)
-class Identified:
+@dataclass(eq=False, repr=False)
+class Identified(Record):
     """What was found out of one kernel."""
 
     accepted: list[str]
@@ -876,8 +878,8 @@ class Identified:
         )
 
 
-@dataclass(frozen=True)
-class Verification:
+@dataclass(eq=False, repr=False)
+class Verification(Record):
     """Verification."""
 
     axis: str
@@ -919,8 +921,8 @@ class Verification:
         )
 
 
-@dataclass(frozen=True)
-class Differing:
+@dataclass(eq=False, repr=False)
+class Differing(Record):
     """Differing."""
 
     one: str | None
@@ -937,8 +939,8 @@ class Differing:
         )
 
 
-@dataclass(frozen=True)
-class Compared:
+@dataclass(eq=False, repr=False)
+class Compared(Record):
     """Compared."""
 
     agree: bool
@@ -965,8 +967,8 @@ class Compared:
         )
 
 
-@dataclass(frozen=True)
-class Identification:
+@dataclass(eq=False, repr=False)
+class Identification(Record):
     """What was found out of one kernel."""
 
     cost: Cost
@@ -1024,8 +1026,8 @@ class Identification:
         )
 
 
-@dataclass(frozen=True)
-class Fitted:
+@dataclass(eq=False, repr=False)
+class Fitted(Record):
     """The document: the fields of the library's `Fit` and what they rest on."""
 
     at_least: float | None
@@ -1081,8 +1083,8 @@ class Fitted:
         )
 
 
-@dataclass(frozen=True)
-class Taylor:
+@dataclass(eq=False, repr=False)
+class Taylor(Record):
     """Taylor."""
 
     first: float | None
@@ -1111,8 +1113,8 @@ class Taylor:
         )
 
 
-@dataclass(frozen=True)
-class Reference:
+@dataclass(eq=False, repr=False)
+class Reference(Record):
     """Reference."""
 
     asked: int
@@ -1154,8 +1156,8 @@ class Reference:
         )
 
 
-@dataclass(frozen=True)
-class References:
+@dataclass(eq=False, repr=False)
+class References(Record):
     """References."""
 
     references: list[Reference]
@@ -1170,8 +1172,8 @@ class References:
         )
 
 
-@dataclass(frozen=True)
-class Best:
+@dataclass(eq=False, repr=False)
+class Best(Record):
     """Best."""
 
     error: float | str
@@ -1186,8 +1188,8 @@ class Best:
         )
 
 
-@dataclass(frozen=True)
-class StudyRow:
+@dataclass(eq=False, repr=False)
+class StudyRow(Record):
     """What needs errors that are split."""
 
     bits: int
@@ -1227,8 +1229,8 @@ class StudyRow:
         )
 
 
-@dataclass(frozen=True)
-class StudySettings:
+@dataclass(eq=False, repr=False)
+class StudySettings(Record):
     """StudySettings."""
 
     cases: list[str]
@@ -1251,8 +1253,8 @@ class StudySettings:
         )
 
 
-@dataclass(frozen=True)
-class UnprovedOf:
+@dataclass(eq=False, repr=False)
+class UnprovedOf(Record):
     """A statement of a case that is not proved."""
 
     case: str
@@ -1271,8 +1273,8 @@ class UnprovedOf:
         )
 
 
-@dataclass(frozen=True)
-class Study:
+@dataclass(eq=False, repr=False)
+class Study(Record):
     """Study."""
 
     rows: list[StudyRow]
@@ -1291,8 +1293,8 @@ class Study:
         )
 
 
-@dataclass(frozen=True)
-class Uncertainty:
+@dataclass(eq=False, repr=False)
+class Uncertainty(Record):
     """Where the error of a plan comes from; all of it is at most the tolerance."""
 
     models: float
@@ -1312,8 +1314,8 @@ class Uncertainty:
         )
 
 
-@dataclass(frozen=True)
-class CheckedChannel:
+@dataclass(eq=False, repr=False)
+class CheckedChannel(Record):
     """One channel of it."""
 
     channel: str
@@ -1336,8 +1338,8 @@ class CheckedChannel:
         )
 
 
-@dataclass(frozen=True)
-class Checked:
+@dataclass(eq=False, repr=False)
+class Checked(Record):
     """What came of a plan when it was run, beside the radiance to many digits."""
 
     channels: list[CheckedChannel]
@@ -1351,8 +1353,8 @@ class Checked:
         )
 
 
-@dataclass(frozen=True)
-class Plan:
+@dataclass(eq=False, repr=False)
+class Plan(Record):
     """A plan as it is kept in a file: for one scene, in full."""
 
     evaluations: int

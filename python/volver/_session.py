@@ -92,6 +92,8 @@ class _Interruption(BaseException):
 
 def run(arguments: Sequence[str], kernel: Kernel, timeout: float) -> Ran:
     """Runs the program on the kernel; whatever happens, it has ended then."""
+    # Its greeting has its version: it need not be asked before.
+    path = program(check=False)
     read_requests, write_requests = os.pipe()
     read_answers, write_answers = os.pipe()
     _widened(write_requests, write_answers)
@@ -100,7 +102,7 @@ def run(arguments: Sequence[str], kernel: Kernel, timeout: float) -> Ran:
     with tempfile.TemporaryFile() as out, tempfile.TemporaryFile() as err, requests:
         try:
             process = subprocess.Popen(
-                [program(), *arguments, "--timeout", repr(timeout), "--", name],
+                [path, *arguments, "--timeout", repr(timeout), "--", name],
                 stdin=subprocess.DEVNULL,
                 stdout=out,
                 stderr=err,
@@ -109,8 +111,9 @@ def run(arguments: Sequence[str], kernel: Kernel, timeout: float) -> Ran:
                 # Ctrl-C on the terminal is this process's, which ends the program.
                 start_new_session=True,
             )
-        except BaseException:
+        except OSError:
             answers.close()
+            program()
             raise
         finally:
             os.close(read_answers)
@@ -130,6 +133,9 @@ def run(arguments: Sequence[str], kernel: Kernel, timeout: float) -> Ran:
         finally:
             answers.close()
         ran = Ran(process.returncode, _text(out), _text(err))
+    if not kernel.greeted:
+        # It may be that it cannot run, or is another one.
+        program()
     if guard.interrupted and ran.code == 2 and ": no answer in " in ran.err:
         raise TimedOut(f"{kernel.name}: no answer in {timeout:g} s (allowed: up to timeout={timeout:g})")
     if ran.code < 0:

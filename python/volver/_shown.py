@@ -25,9 +25,7 @@ class Shown:
     _rows = ""
 
     def _with(self, data: Mapping[str, Any], text: str, passed: bool) -> None:
-        # Results are frozen.
-        for key, value in (("data", data), ("text", text), ("passed", passed)):
-            object.__setattr__(self, key, value)
+        self.data, self.text, self.passed = data, text, passed
 
     def __bool__(self) -> bool:
         raise TypeError("a result is neither true nor false (allowed: .passed)")
