@@ -1,6 +1,6 @@
 # What a stranger runs and what CI runs are the same commands.
 
-.PHONY: reproduce test library thorough attack proofs mutants lint kernels page docs engines flint bench setup
+.PHONY: reproduce test library thorough attack proofs mutants lint kernels page docs python engines flint bench setup
 .DEFAULT_GOAL := reproduce
 
 # The main job: the paper's tables, measured again, and what lies beyond them; the report goes to reproduction/.
@@ -54,6 +54,10 @@ page: setup
 docs: setup
 	docs/site/build
 	tests/site/check
+
+# The wheel and its package, in fresh environments of the oldest and the newest CPython that can be had.
+python: setup
+	python/check
 
 # Studies in shards by a real Slurm, Debian's, which it installs and starts on this machine as root, and a manifest of Kubernetes.
 engines: setup

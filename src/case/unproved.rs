@@ -5,6 +5,7 @@ use std::fmt;
 
 /// A statement that a case rests on and that is not proved.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
+#[cfg_attr(feature = "studies", derive(schemars::JsonSchema))]
 #[serde(deny_unknown_fields)]
 pub struct Unproved {
     /// The statement: "tau defined".

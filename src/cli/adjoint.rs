@@ -65,6 +65,7 @@ impl Adjoint {
         output.check()?;
         let mut kernel = at_once.map_or_else(|| self.kernel.program(), Ok)?;
         let found = adjoint(kernel.as_mut());
+        self.kernel.still_there(kernel.as_ref())?;
         // The child is gone before the last word.
         drop(kernel);
         let found = found.map_err(|error| self.kernel.failed(error))?;

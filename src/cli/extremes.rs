@@ -15,6 +15,7 @@ pub(super) fn run(named: &KernelArguments, output: &Output<'_>) -> Result<Outcom
     let bar = Bar::new(work(kernel.declaration()));
     let found = extremes(kernel.as_mut(), &bar);
     bar.finish();
+    named.still_there(kernel.as_ref())?;
     // The child is gone before the last word.
     drop(kernel);
     let found = found.map_err(|error| named.failed(error))?;

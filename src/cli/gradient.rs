@@ -114,6 +114,7 @@ impl Gradient {
             ..identify::Budget::default()
         };
         let own = identify::gradients(kernel.as_mut(), budget, &mut |_| ());
+        self.kernel.still_there(kernel.as_ref())?;
         // The child is gone before the last word.
         drop(kernel);
         let found = found.map_err(|error| self.failed(error))?;

@@ -201,6 +201,7 @@ impl Identify {
             return Err(named.failed(anyhow::anyhow!(why)));
         }
         let examined = self.with_bar(|heard| examine(kernel, self.limits(), heard));
+        named.still_there(kernel)?;
         if examined.verdict() == Verdict::NoAnswer {
             let reasons = examined.found.not_identified.iter();
             let why = reasons.map(|reason| reason.reason.clone()).next();

@@ -8,7 +8,7 @@ use std::path::{Path, PathBuf};
 use std::time::Duration;
 use volver::case::{Case, catalogue};
 use volver::kernel::library::LibraryKernel;
-use volver::kernel::process::{self, Log, Options, ProcessKernel};
+use volver::kernel::process::{self, Descriptors, Log, Options, ProcessKernel};
 use volver::kernel::{BuiltIn, Kernel, Subject};
 use volver::method::Method;
 use volver::real::FormatName;
@@ -18,7 +18,9 @@ use volver::report::ReportError;
 pub(super) const KERNELS: &str = "\
 KERNEL is a program with its arguments, which is sent rays as JSON lines
 (docs/protocol.md says how); a shared library, a path that ends in .so, .dylib or
-.dll (include/volver.h); or a method of volver's own, method:NAME[@FORMAT].
+.dll (include/volver.h); a method of volver's own, method:NAME[@FORMAT]; or, of a
+process that is a kernel and starts volver itself, fd:READ,WRITE, descriptors of pipes
+that volver reads answers from and writes requests to.
 What stands behind KERNEL is the program's: options of volver stand in front of it.";
 
 /// Extensions of shared libraries.
@@ -28,7 +30,7 @@ const LIBRARIES: [&str; 3] = ["so", "dylib", "dll"];
 #[derive(Args)]
 pub(super) struct KernelArguments {
     // One list, so that all behind KERNEL is the program's, --timeout too.
-    /// Program with its arguments, shared library, or method:NAME[@FORMAT]
+    /// Program with its arguments, shared library, method:NAME[@FORMAT] or fd:READ,WRITE
     #[arg(value_name = "KERNEL", required = true, trailing_var_arg = true)]
     command: Vec<String>,
     /// Seconds that a program may take to an answer
@@ -127,8 +129,31 @@ impl KernelArguments {
             Ok(()) | Err(ctrlc::Error::MultipleHandlers) => {}
             Err(error) => return Err(self.failed(error)),
         }
-        let started = ProcessKernel::start(self.kernel(), self.arguments(), options);
+        let started = match self.descriptors()? {
+            Some(descriptors) => ProcessKernel::caller(descriptors, options),
+            None => ProcessKernel::start(self.kernel(), self.arguments(), options),
+        };
         Ok(Box::new(started.map_err(|error| self.failed(error))?))
+    }
+
+    /// Whether it is the process that started this one.
+    pub(super) fn is_caller(&self) -> bool {
+        self.kernel().starts_with("fd:")
+    }
+
+    /// Those of the process that started this one, where it is the kernel.
+    fn descriptors(&self) -> Result<Option<Descriptors>, Failure> {
+        let Some(text) = self.kernel().strip_prefix("fd:") else {
+            return Ok(None);
+        };
+        self.no_arguments("descriptors")?;
+        let descriptors = text.parse().map_err(|error| self.failed(error))?;
+        Ok(Some(descriptors))
+    }
+
+    /// Refuses to speak of a kernel that went away before the end.
+    pub(super) fn still_there(&self, kernel: &dyn Kernel) -> Result<(), Failure> {
+        kernel.gone().map_or(Ok(()), |why| Err(self.failed(why)))
     }
 
     fn is_library(&self) -> bool {
@@ -154,6 +179,11 @@ impl KernelArguments {
         if self.log.is_some() {
             self.only_program("--log", "which is not talked to")?;
         }
+        self.no_arguments(what)
+    }
+
+    /// Refuses words behind what is no program.
+    fn no_arguments(&self, what: &str) -> Result<(), Failure> {
         match self.arguments().first() {
             None => Ok(()),
             Some(first) => Err(Failure::Usage(format!(

@@ -1,8 +1,9 @@
-//! `volver schema`: what files look like, for editors and programs.
+//! `volver schema`: what files and results look like, for editors and programs.
 
 use super::{Failure, Outcome, write_out};
 use clap::{Args, ValueEnum};
 use volver::kernel::process;
+use volver::report;
 use volver::scene::SceneFile;
 use volver::study::plan::StoredPlan;
 use volver::study::sweep::StudyFile;
@@ -17,7 +18,7 @@ Examples:
   volver schema study
   volver schema protocol";
 
-/// Print the JSON Schema of a file or a protocol, or which there are
+/// Print the JSON Schema of a file, a result or a protocol, or which there are
 #[derive(Args)]
 #[command(after_help = EXAMPLES)]
 pub(crate) struct Schema {
@@ -32,6 +33,12 @@ enum Name {
     Scene,
     Plan,
     Protocol,
+    Verify,
+    Identify,
+    Fit,
+    GradientTest,
+    Reference,
+    StudyResults,
 }
 
 const ALL: &str = "\
@@ -39,6 +46,10 @@ study     the file that 'volver study' takes
 scene     a scene.toml, for 'volver plan' and 'volver render'
 plan      what 'volver plan --json' writes and 'volver render --plan' reads
 protocol  what a kernel in a process of its own and volver say to each other
+verify, identify, fit, gradient-test, reference
+          what these commands write with --json
+study-results
+          what 'volver study --json' writes
 ";
 
 impl Schema {
@@ -52,6 +63,12 @@ impl Schema {
             Some(Name::Scene) => SceneFile::schema(),
             Some(Name::Plan) => StoredPlan::schema(),
             Some(Name::Protocol) => process::schema(),
+            Some(Name::Verify) => report::verify::schema(),
+            Some(Name::Identify) => report::identify::schema(),
+            Some(Name::Fit) => report::fit::schema(),
+            Some(Name::GradientTest) => report::gradient_test::schema(),
+            Some(Name::Reference) => report::reference::schema(),
+            Some(Name::StudyResults) => report::study::schema(),
         };
         let text = serde_json::to_string_pretty(&schema);
         let text = text.map_err(|error| Failure::Output(error.into()))? + "\n";

@@ -154,7 +154,10 @@ impl Verify {
     pub(crate) fn run(self) -> Result<Outcome, Failure> {
         let output = self.output();
         check_dashes(&output)?;
-        self.sharding.refuse(&[("--extremes", self.extremes)])?;
+        self.sharding.refuse(&[
+            ("--extremes", self.extremes),
+            ("fd:", self.kernel.is_caller()),
+        ])?;
         if self.extremes {
             return extremes::run(&self.kernel, &output);
         }

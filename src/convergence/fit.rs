@@ -31,6 +31,7 @@ pub const FLOOR_MARGIN: u32 = 30;
 
 /// Two neighbouring levels with finite, nonzero errors.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+#[cfg_attr(feature = "studies", derive(schemars::JsonSchema))]
 pub struct Pair {
     /// Index of the coarser level; the finer one is the next.
     pub coarse: usize,
@@ -46,6 +47,7 @@ pub struct Pair {
 
 /// Where the roundoff floor ended the ladder.
 #[derive(Clone, Debug, PartialEq, Serialize)]
+#[cfg_attr(feature = "studies", derive(schemars::JsonSchema))]
 pub struct FloorCut {
     /// Index of the first level dropped; everything finer is dropped too.
     pub level: usize,
@@ -53,11 +55,16 @@ pub struct FloorCut {
     pub step: f64,
     /// The floor there: the largest of this level's and of all coarser ones.
     #[serde(serialize_with = "serialize_float")]
+    #[cfg_attr(
+        feature = "studies",
+        schemars(schema_with = "super::sample::float_schema")
+    )]
     pub floor: Float,
 }
 
 /// An order of accuracy with its interval, and what that says.
 #[derive(Clone, Debug, PartialEq, Serialize)]
+#[cfg_attr(feature = "studies", derive(schemars::JsonSchema))]
 pub struct Fit {
     /// What the errors say of the expectation.
     pub verdict: Verdict,
@@ -74,6 +81,10 @@ pub struct Fit {
     pub window: Option<Window>,
     /// Largest floor of all levels; 0 where none is known.
     #[serde(serialize_with = "serialize_float")]
+    #[cfg_attr(
+        feature = "studies",
+        schemars(schema_with = "super::sample::float_schema")
+    )]
     pub floor: Float,
     /// Where the floor ended the ladder, if it did.
     pub cut: Option<FloorCut>,

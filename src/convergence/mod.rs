@@ -61,6 +61,8 @@ pub use replicas::{
     StochasticFit, fit_replicas, reported_error,
 };
 pub use richardson::{DifferenceFit, RichardsonError, ValueSample, fit_differences};
+#[cfg(feature = "studies")]
+pub(crate) use sample::float_schema;
 pub use sample::{JSON_NUMBER_MIN, Sample, serialize_float};
 #[cfg(feature = "studies")]
 pub use split::{Cell, Oracle, Split};

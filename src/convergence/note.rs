@@ -6,6 +6,7 @@ use std::fmt;
 
 /// A remark on a fit, beside its verdict.
 #[derive(Clone, Debug, PartialEq, Serialize)]
+#[cfg_attr(feature = "studies", derive(schemars::JsonSchema))]
 #[serde(tag = "note", rename_all = "kebab-case")]
 pub enum Note {
     /// The error changes sign before the window: the levels coarser than that do not show the order.

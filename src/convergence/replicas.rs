@@ -39,12 +39,15 @@ pub struct Replicas {
 
 /// An order with its 99.9 % interval.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+#[cfg_attr(feature = "studies", derive(schemars::JsonSchema))]
 pub struct OrderInterval {
     /// The order p.
     pub order: f64,
     /// Lower end; −∞ (`null` in JSON) where the levels leave it open.
+    #[cfg_attr(feature = "studies", schemars(with = "Option<f64>"))]
     pub low: f64,
     /// Upper end; ∞ (`null` in JSON) where the levels leave it open.
+    #[cfg_attr(feature = "studies", schemars(with = "Option<f64>"))]
     pub high: f64,
     /// log₂ c in c·dᵖ.
     pub log2_constant: f64,
@@ -66,6 +69,7 @@ impl OrderInterval {
 
 /// Mean and standard deviation of one level.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+#[cfg_attr(feature = "studies", derive(schemars::JsonSchema))]
 pub struct LevelMoments {
     /// Number of segments, where known.
     pub n: Option<u64>,
@@ -85,6 +89,7 @@ pub struct LevelMoments {
 
 /// One of the two parts that the error of a stochastic method has.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
+#[cfg_attr(feature = "studies", derive(schemars::JsonSchema))]
 #[serde(rename_all = "kebab-case")]
 pub enum ErrorPart {
     /// The standard deviation over seeds.
@@ -95,6 +100,7 @@ pub enum ErrorPart {
 
 /// The orders of a stochastic method: of its scatter, and of its bias.
 #[derive(Clone, Debug, PartialEq, Serialize)]
+#[cfg_attr(feature = "studies", derive(schemars::JsonSchema))]
 pub struct StochasticFit {
     /// What both orders say of the expectation.
     pub verdict: Verdict,

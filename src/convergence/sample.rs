@@ -9,6 +9,7 @@ pub const JSON_NUMBER_MIN: f64 = 1e-300;
 
 /// One run at one level: its step, its signed error, and the roundoff floor there.
 #[derive(Clone, Debug, PartialEq, Serialize)]
+#[cfg_attr(feature = "studies", derive(schemars::JsonSchema))]
 pub struct Sample {
     /// Number of segments, where the step divides the ray.
     pub n: Option<u64>,
@@ -16,9 +17,11 @@ pub struct Sample {
     pub step: f64,
     /// Signed error, approximation − exact, of any precision and magnitude.
     #[serde(serialize_with = "serialize_float")]
+    #[cfg_attr(feature = "studies", schemars(schema_with = "float_schema"))]
     pub error: Float,
     /// Magnitude below which the error is roundoff; 0 where none is known.
     #[serde(serialize_with = "serialize_float")]
+    #[cfg_attr(feature = "studies", schemars(schema_with = "float_schema"))]
     pub floor: Float,
 }
 
@@ -40,4 +43,10 @@ pub fn serialize_float<S: Serializer>(x: &Float, serializer: S) -> Result<S::Ok,
     } else {
         serializer.serialize_str(&x.to_string_radix(10, Some(17)))
     }
+}
+
+/// What [`serialize_float`] writes, as a JSON Schema; null where it is optional.
+#[cfg(feature = "studies")]
+pub(crate) fn float_schema(_: &mut schemars::SchemaGenerator) -> schemars::Schema {
+    schemars::json_schema!({ "type": ["number", "string"] })
 }

@@ -35,6 +35,7 @@ pub(crate) const NO_CONVERGENCE: f64 = 0.1;
 /// | 13 | `Confirmed` | the expected order lies within order ± half-width |
 /// | 14 | `TooLow`, `TooHigh` | it lies above, below the interval (`TooLow` where `Exact` was expected) |
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, Serialize)]
+#[cfg_attr(feature = "studies", derive(schemars::JsonSchema))]
 pub enum Verdict {
     /// The expected order lies inside the interval, which is narrow enough to mean something.
     Confirmed,

@@ -14,6 +14,7 @@ const LOOSEST: f64 = 0.1;
 
 /// The levels an order was fitted in.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+#[cfg_attr(feature = "studies", derive(schemars::JsonSchema))]
 pub struct Window {
     /// Index of the coarsest level.
     pub first: usize,

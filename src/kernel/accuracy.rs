@@ -24,7 +24,7 @@ impl Quantum {
 
 /// A function of x is off by at most a + b |x| units in the last place of its result.
 #[derive(Clone, Copy, Debug, PartialEq)]
-#[cfg_attr(feature = "studies", derive(serde::Serialize))]
+#[cfg_attr(feature = "studies", derive(serde::Serialize, schemars::JsonSchema))]
 pub struct UlpBound {
     a: f64,
     b: f64,

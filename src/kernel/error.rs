@@ -14,6 +14,16 @@ pub enum KernelError {
         /// What the system says.
         reason: String,
     },
+    /// A descriptor by which no kernel can be talked to.
+    #[error(
+        "descriptor {descriptor}: {problem} (allowed: an end of a pipe that the caller hands down)"
+    )]
+    Descriptor {
+        /// Its number.
+        descriptor: u16,
+        /// What is wrong with it.
+        problem: String,
+    },
     /// The process ended.
     #[error("the kernel {}{}", how, last_words(stderr))]
     Exited {

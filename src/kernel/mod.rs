@@ -120,4 +120,9 @@ pub trait Kernel: Debug + Send {
 
     /// Forgets all that was asked, where it can: a program is started anew.
     fn restart(&mut self) {}
+
+    /// Why it will never answer again, where that is so.
+    fn gone(&self) -> Option<KernelError> {
+        None
+    }
 }

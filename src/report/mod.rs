@@ -57,6 +57,8 @@ pub mod reference;
 #[cfg(feature = "studies")]
 pub mod reproduce;
 #[cfg(feature = "studies")]
+mod schema;
+#[cfg(feature = "studies")]
 pub mod stress;
 #[cfg(feature = "studies")]
 pub mod study;

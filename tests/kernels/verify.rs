@@ -3,6 +3,7 @@
 mod ask;
 mod baseline;
 mod batch;
+mod caller;
 mod declares;
 mod help;
 mod kernels;

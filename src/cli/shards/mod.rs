@@ -119,7 +119,7 @@ impl Sharding {
     pub(super) fn refuse(&self, given: &[(&str, bool)]) -> Result<(), Failure> {
         match given.iter().find(|(_, is_given)| *is_given) {
             Some((option, _)) if self.is_asked() => Err(Failure::Usage(format!(
-                "{option} with {} (allowed: with 'volver merge', or without shards)",
+                "{option} with {} (allowed: without shards)",
                 if self.on.is_some() { "--on" } else { "--shard" }
             ))),
             _ => Ok(()),

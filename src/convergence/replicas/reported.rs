@@ -17,12 +17,16 @@ const FINEST: usize = 4;
 
 /// Reported standard errors as a multiple of the scatter.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+#[cfg_attr(feature = "studies", derive(schemars::JsonSchema))]
 pub struct ReportedError {
     /// √(mean of reported²)/s, the geometric mean over the finest levels; NaN where one reported is negative or no number.
+    #[cfg_attr(feature = "studies", schemars(with = "Option<f64>"))]
     pub ratio: f64,
     /// Lower end of its 99.99 % interval.
+    #[cfg_attr(feature = "studies", schemars(with = "Option<f64>"))]
     pub low: f64,
     /// Upper end.
+    #[cfg_attr(feature = "studies", schemars(with = "Option<f64>"))]
     pub high: f64,
 }
 

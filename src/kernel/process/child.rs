@@ -14,7 +14,7 @@ use std::io;
 use std::os::fd::OwnedFd;
 use std::os::unix::process::{CommandExt, ExitStatusExt};
 use std::process::{Command, ExitStatus, Stdio};
-use std::time::{Duration, Instant};
+use std::time::Duration;
 
 /// The child's descriptor that it reads requests from.
 const REQUESTS: i32 = 3;
@@ -107,21 +107,8 @@ impl Child {
         self.output.text()
     }
 
-    pub(super) fn exchange(
-        &mut self,
-        message: &[u8],
-        deadline: Option<Instant>,
-    ) -> Result<Vec<u8>, Trouble> {
-        self.pipes.exchange(message, deadline)
-    }
-
-    pub(super) fn exchange_frame<H>(
-        &mut self,
-        message: &[u8],
-        deadline: Option<Instant>,
-        read: impl FnOnce(&[u8]) -> Result<(H, usize), Trouble>,
-    ) -> Result<(H, Vec<u8>), Trouble> {
-        self.pipes.exchange_frame(message, deadline, read)
+    pub(super) fn pipes(&mut self) -> &mut Pipes {
+        &mut self.pipes
     }
 
     /// Ends it for its trouble, which was met while `what` was waited for, and says what befell it.
@@ -134,39 +121,7 @@ impl Child {
         let ended = matches!(trouble, Trouble::Closed(_)) && ends_within(self.group, ENDING);
         let status = self.end(DISMISSAL);
         let stderr = self.errors.last_lines(LAST_LINES);
-        match trouble {
-            Trouble::TimedOut => KernelError::TimedOut {
-                what,
-                after,
-                stderr,
-            },
-            Trouble::HalfFrame => KernelError::TimedOut {
-                what: "whole frame",
-                after,
-                stderr,
-            },
-            Trouble::Closed(pipe) => KernelError::Exited {
-                how: status
-                    .filter(|_| ended)
-                    .map_or_else(|| format!("closed its {pipe} pipe"), how),
-                stderr,
-            },
-            Trouble::System(error) => KernelError::Exited {
-                how: format!("cannot be talked to: {error}"),
-                stderr,
-            },
-            Trouble::Garbage { problem, excerpt } => KernelError::Garbage {
-                problem,
-                excerpt,
-                stderr,
-            },
-            Trouble::Greeting { problem } => KernelError::Greeting { problem, stderr },
-            Trouble::WrongId { got, wanted } => KernelError::WrongId {
-                got,
-                wanted,
-                stderr,
-            },
-        }
+        trouble.said(what, after, status.filter(|_| ended).map(how), stderr)
     }
 
     /// Tells it that no more comes, then to end, and kills what is left of its group.

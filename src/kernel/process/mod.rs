@@ -4,9 +4,13 @@
 //! descriptor 4; what it prints does no harm. It is waited for no longer than [`Options`] say. A child that fails
 //! in any way is killed with its whole process group, and started anew when the next radiance is wanted; what is
 //! dropped leaves no process behind, unless a process left the group.
+//!
+//! The kernel may also be the process that started this one ([`ProcessKernel::caller`]), which is waited for as long and never
+//! killed or started.
 
 pub(crate) mod answer;
 pub(crate) mod bare;
+mod caller;
 mod child;
 mod ending;
 mod files;
@@ -16,6 +20,7 @@ mod log;
 mod message;
 mod number;
 mod options;
+mod peer;
 mod pipes;
 mod registry;
 mod request;
@@ -26,6 +31,7 @@ mod tail;
 pub(crate) mod trouble;
 pub(crate) mod written;
 
+pub use caller::{Descriptors, DescriptorsError};
 pub use log::Log;
 pub use options::Options;
 pub use registry::{stop_all, stop_all_and_exit};
@@ -42,6 +48,7 @@ use frame::Frame;
 use greeting::Greeting;
 use log::Stream;
 use message::Arrays;
+use peer::{Origin, Peer};
 use request::Writer;
 use std::io;
 use std::time::Instant;
@@ -59,15 +66,14 @@ const SECOND: u64 = 2;
 /// One result a task.
 type Results = Vec<Result<Rendering, KernelError>>;
 
-/// A program that talks the protocol.
+/// A program that talks the protocol, or the process that started this one and does.
 #[derive(Debug)]
 pub struct ProcessKernel {
-    program: String,
-    arguments: Vec<String>,
+    origin: Origin,
     options: Options,
     greeting: Greeting,
     /// None between a failure and the next start.
-    child: Option<Child>,
+    peer: Option<Peer>,
     files: Option<Files>,
     /// Ids go on when the child is started anew: no answer of one is taken for another's.
     last_id: u64,
@@ -85,17 +91,33 @@ impl ProcessKernel {
         arguments: &[String],
         options: Options,
     ) -> Result<Self, KernelError> {
-        let (child, greeting) = start(program, arguments, &options)?;
+        let origin = Origin::Program {
+            program: program.into(),
+            arguments: arguments.to_vec(),
+        };
+        Self::greeted(origin, options)
+    }
+
+    /// Talks to the process that started this one, and waits for its greeting. It is not started anew: what fails once
+    /// has [gone](Kernel::gone).
+    ///
+    /// # Errors
+    /// [`KernelError`] if the descriptors are no pipes, or it does not greet as it should in time.
+    pub fn caller(descriptors: Descriptors, options: Options) -> Result<Self, KernelError> {
+        Self::greeted(Origin::Caller(descriptors), options)
+    }
+
+    fn greeted(origin: Origin, options: Options) -> Result<Self, KernelError> {
+        let (peer, greeting) = start(&origin, &options)?;
         let files = match greeting.arrays {
             Arrays::Json => None,
             Arrays::Npy => Some(Files::new().map_err(|error| KernelError::message(&error))?),
         };
         Ok(ProcessKernel {
-            program: program.into(),
-            arguments: arguments.to_vec(),
+            origin,
             options,
             greeting,
-            child: Some(child),
+            peer: Some(peer),
             files,
             last_id: 0,
             failures: 0,
@@ -106,13 +128,14 @@ impl ProcessKernel {
     /// The number of the child's process, and of its process group; none after a failure.
     #[must_use]
     pub fn id(&self) -> Option<u32> {
-        self.child.as_ref().map(Child::id)
+        self.peer.as_ref().and_then(Peer::child).map(Child::id)
     }
 
     /// The end of what the child printed on its standard output, 4 KiB at most.
     #[must_use]
     pub fn output(&self) -> String {
-        self.child.as_ref().map(Child::output).unwrap_or_default()
+        let child = self.peer.as_ref().and_then(Peer::child);
+        child.map(Child::output).unwrap_or_default()
     }
 
     /// The results of tasks in the form declared. One of several tasks may be the other ones' trouble: if no
@@ -182,6 +205,9 @@ impl ProcessKernel {
         tasks: &[&Task<'_>],
         cotangents: Option<&[&[f64]]>,
     ) -> Result<Results, KernelError> {
+        if let Some(last) = self.gone() {
+            return Err(last);
+        }
         if let Some(last) = &self.last_failure
             && self.failures >= self.options.max_failures.max(1)
         {
@@ -223,13 +249,13 @@ impl ProcessKernel {
         };
         let line = writer.line(self.last_id, tasks);
         let line = line.map_err(|error| KernelError::message(&error))?;
-        let mut child = match self.child.take() {
-            Some(child) => child,
+        let mut peer = match self.peer.take() {
+            Some(peer) => peer,
             None => self.start_anew()?,
         };
         self.keep(&line, tasks, cotangents)?;
         let timeout = self.options.timeout;
-        let answer = child
+        let answer = peer
             .exchange(&line, Instant::now().checked_add(timeout))
             .and_then(|answer| {
                 answer::read(
@@ -242,10 +268,10 @@ impl ProcessKernel {
             });
         match answer {
             Ok(results) => {
-                self.child = Some(child);
+                self.peer = Some(peer);
                 Ok(results)
             }
-            Err(trouble) => Err(child.fail(trouble, "answer", timeout)),
+            Err(trouble) => Err(peer.fail(trouble, "answer", timeout)),
         }
     }
 
@@ -261,8 +287,8 @@ impl ProcessKernel {
             bytes,
             text,
         } = frame.map_err(|error| KernelError::message(&error))?;
-        let mut child = match self.child.take() {
-            Some(child) => child,
+        let mut peer = match self.peer.take() {
+            Some(peer) => peer,
             None => self.start_anew()?,
         };
         if let Some(log) = &log {
@@ -277,10 +303,10 @@ impl ProcessKernel {
             let bytes = head.bytes;
             Ok((head, bytes))
         };
-        match child.exchange_frame(&message, deadline, read) {
-            Err(trouble) => Err(child.fail(trouble, "answer", timeout)),
+        match peer.exchange_frame(&message, deadline, read) {
+            Err(trouble) => Err(peer.fail(trouble, "answer", timeout)),
             Ok((head, bytes)) => {
-                self.child = Some(child);
+                self.peer = Some(peer);
                 if let Some(log) = &log {
                     let text = head.text(&bytes).map_err(io::Error::from);
                     let text = text.map_err(|error| KernelError::message(&error))?;
@@ -316,11 +342,11 @@ impl ProcessKernel {
         log.tell(Stream::Requests, &line)
     }
 
-    fn start_anew(&self) -> Result<Child, KernelError> {
-        let (child, greeting) = start(&self.program, &self.arguments, &self.options)?;
+    fn start_anew(&self) -> Result<Peer, KernelError> {
+        let (peer, greeting) = start(&self.origin, &self.options)?;
         let changes = self.greeting.changes(&greeting);
         if changes.is_empty() {
-            return Ok(child);
+            return Ok(peer);
         }
         Err(KernelError::Changed {
             keys: changes.join(", "),
@@ -328,34 +354,22 @@ impl ProcessKernel {
     }
 }
 
-/// A child that has greeted.
-fn start(
-    program: &str,
-    arguments: &[String],
-    options: &Options,
-) -> Result<(Child, Greeting), KernelError> {
-    let failed = |error: io::Error| KernelError::Start {
-        program: program.into(),
-        reason: error.to_string(),
-    };
+/// The other side, which has greeted.
+fn start(origin: &Origin, options: &Options) -> Result<(Peer, Greeting), KernelError> {
     let timeout = options.start_timeout;
     let deadline = Instant::now().checked_add(timeout);
-    let mut hello = serde_json::to_vec(&greeting::hello()).map_err(|e| failed(e.into()))?;
+    let mut hello = serde_json::to_vec(&greeting::hello())
+        .map_err(|error| KernelError::message(&error.into()))?;
     hello.push(b'\n');
     let log = options.log.as_ref();
-    let mut child = Child::start(program, arguments, log).map_err(failed)?;
+    let mut peer = origin.peer(log)?;
     if let Some(log) = log {
-        let words = arguments.iter().map(String::as_str);
-        let words: Vec<&str> = std::iter::once(program).chain(words).collect();
-        let command = words.join(" ");
-        let note = format!("process {}: {}\n", child.id(), command.escape_debug());
-        log.tell(Stream::Volver, note.as_bytes())?;
         log.tell(Stream::Requests, &hello)?;
     }
-    let greeting = child.exchange(&hello, deadline);
+    let greeting = peer.exchange(&hello, deadline);
     match greeting.and_then(|line| greeting::read(&line)) {
-        Ok(greeting) => Ok((child, greeting)),
-        Err(trouble) => Err(child.fail(trouble, "greeting", timeout)),
+        Ok(greeting) => Ok((peer, greeting)),
+        Err(trouble) => Err(peer.fail(trouble, "greeting", timeout)),
     }
 }
 
@@ -443,6 +457,13 @@ impl Kernel for ProcessKernel {
     }
 
     fn restart(&mut self) {
-        self.child = None;
+        if self.origin.starts_anew() {
+            self.peer = None;
+        }
+    }
+
+    fn gone(&self) -> Option<KernelError> {
+        let is_left = self.peer.is_some() || self.origin.starts_anew();
+        self.last_failure.clone().filter(|_| !is_left)
     }
 }

@@ -1,6 +1,8 @@
 //! What goes wrong between two processes.
 
+use crate::kernel::KernelError;
 use std::io;
+use std::time::Duration;
 
 /// How many characters of a bad answer are shown.
 const SHOWN: usize = 80;
@@ -38,6 +40,48 @@ pub enum Trouble {
 }
 
 impl Trouble {
+    /// What is said of it: it was met while `what` was waited for, for so long. `ended` is how the process ended, where it
+    /// has, and `stderr` its last words.
+    pub(super) fn said(
+        self,
+        what: &'static str,
+        after: Duration,
+        ended: Option<String>,
+        stderr: String,
+    ) -> KernelError {
+        match self {
+            Trouble::TimedOut => KernelError::TimedOut {
+                what,
+                after,
+                stderr,
+            },
+            Trouble::HalfFrame => KernelError::TimedOut {
+                what: "whole frame",
+                after,
+                stderr,
+            },
+            Trouble::Closed(pipe) => KernelError::Exited {
+                how: ended.unwrap_or_else(|| format!("closed its {pipe} pipe")),
+                stderr,
+            },
+            Trouble::System(error) => KernelError::Exited {
+                how: format!("cannot be talked to: {error}"),
+                stderr,
+            },
+            Trouble::Garbage { problem, excerpt } => KernelError::Garbage {
+                problem,
+                excerpt,
+                stderr,
+            },
+            Trouble::Greeting { problem } => KernelError::Greeting { problem, stderr },
+            Trouble::WrongId { got, wanted } => KernelError::WrongId {
+                got,
+                wanted,
+                stderr,
+            },
+        }
+    }
+
     pub(super) fn garbage(problem: impl Into<String>, line: &[u8]) -> Self {
         // Four bytes a character at most.
         let start = line.get(..4 * SHOWN).unwrap_or(line);

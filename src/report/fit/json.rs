@@ -5,23 +5,34 @@ use crate::convergence::table::FloorSource;
 use crate::convergence::{Fit, Sample};
 use crate::method::Expected;
 use crate::render::ReportError;
+use crate::report::schema::written;
+use schemars::JsonSchema;
 use serde::Serialize;
 use serde_json::Value;
 
 /// The document: the fields of the library's [`Fit`] and what they rest on.
-#[derive(Serialize)]
+#[derive(Serialize, JsonSchema)]
+#[schemars(rename = "Fitted")]
 struct Document<'a> {
     /// Whether the checks pass; null where none was asked for.
     passes: Option<bool>,
     /// The order expected, the word `exact`, or null.
     expected: Value,
+    #[schemars(with = "String")]
     source: Source,
+    #[schemars(with = "String")]
     floor_source: FloorSource,
     /// The order that has to be reached, or null.
     at_least: Option<f64>,
     #[serde(flatten)]
     fit: Fit,
     samples: &'a [Sample],
+}
+
+/// The JSON Schema of [`json`].
+#[must_use]
+pub fn schema() -> Value {
+    written::<Document<'_>>()
 }
 
 /// The fields of the [`Fit`], and `passes`, `expected`, `at_least`, `source`, `floor_source` and `samples`; order, half-width and

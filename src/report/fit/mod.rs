@@ -2,7 +2,7 @@
 
 mod json;
 
-pub use json::json;
+pub use json::{json, schema};
 
 use crate::convergence::table::FloorSource;
 use crate::convergence::{Fit, Pair, Sample, Verdict, Window};

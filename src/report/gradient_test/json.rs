@@ -2,9 +2,12 @@
 
 use crate::convergence::{Fit, Sample, Taylor};
 use crate::render::ReportError;
+use crate::report::schema::written;
+use schemars::JsonSchema;
 use serde::Serialize;
 
-#[derive(Serialize)]
+#[derive(Serialize, JsonSchema)]
+#[schemars(rename = "Taylor")]
 struct Document<'a> {
     remainder: &'static str,
     passes: bool,
@@ -15,6 +18,12 @@ struct Document<'a> {
     roundoff: Option<usize>,
     fit: &'a Fit,
     samples: &'a [Sample],
+}
+
+/// The JSON Schema of [`json`].
+#[must_use]
+pub fn schema() -> serde_json::Value {
+    written::<Document<'_>>()
 }
 
 /// `{"remainder": "first-order", "passes": false, "first": …, "second": …, "slope": …, "wrong_by": …, "roundoff": …, "fit": …}`, indented,

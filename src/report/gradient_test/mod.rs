@@ -2,7 +2,7 @@
 
 mod json;
 
-pub use json::json;
+pub use json::{json, schema};
 
 use super::fit::by_level;
 use crate::convergence::{Smoothness, Taylor};

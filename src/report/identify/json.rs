@@ -4,10 +4,13 @@ use super::Other;
 use crate::identify::{self, Deviation, Examined, Kind, NotIdentified, Witness, parts};
 use crate::method::Method;
 use crate::render::ReportError;
+use crate::report::schema::written;
+use schemars::JsonSchema;
 use serde::Serialize;
 use serde_json::Value;
 
-#[derive(Serialize)]
+#[derive(Serialize, JsonSchema)]
+#[schemars(rename = "Identification")]
 struct Document<'a> {
     volver: &'static str,
     kernel: &'a str,
@@ -19,7 +22,7 @@ struct Document<'a> {
 }
 
 /// What was found out of one kernel.
-#[derive(Serialize)]
+#[derive(Serialize, JsonSchema)]
 pub(in crate::report) struct Found<'a> {
     verdict: &'static str,
     /// Only where it is named.
@@ -35,15 +38,19 @@ pub(in crate::report) struct Found<'a> {
     volume: Option<String>,
     /// The digits that all answers held out make do with.
     #[serde(skip_serializing_if = "Option::is_none")]
+    #[schemars(with = "Option<Value>")]
     precision: Option<identify::Precision>,
     /// In what order contributions are added.
     #[serde(skip_serializing_if = "Option::is_none")]
+    #[schemars(with = "Option<Value>")]
     accumulation: Option<identify::Accumulation>,
     /// How transmittances are kept.
     #[serde(skip_serializing_if = "Option::is_none")]
+    #[schemars(with = "Option<Value>")]
     transmittance: Option<identify::Transmittance>,
     /// By how many units of 2^(−24) exponentials are off.
     #[serde(skip_serializing_if = "Option::is_none")]
+    #[schemars(with = "Option<Value>")]
     exponential: Option<identify::Exponential>,
     /// Transmittances are 1 less the opacity so far.
     transmittance_by_subtraction: bool,
@@ -55,7 +62,7 @@ pub(in crate::report) struct Found<'a> {
     opacity: Opacity,
 }
 
-#[derive(Serialize)]
+#[derive(Serialize, JsonSchema)]
 pub(super) struct Rule<'a> {
     text: String,
     latex: String,
@@ -63,6 +70,7 @@ pub(super) struct Rule<'a> {
     c: String,
     parts: Vec<Part>,
     /// Every parameter, as `Rule` has them.
+    #[schemars(with = "Value")]
     formula: &'a identify::Rule,
 }
 
@@ -79,35 +87,40 @@ impl<'a> Rule<'a> {
     }
 }
 
-#[derive(Serialize)]
+#[derive(Serialize, JsonSchema)]
 struct Scattered<'a> {
     text: String,
+    #[schemars(with = "Value")]
     law: &'a identify::rule::Law,
     /// Whether all samples of a ray lie at the same part of their segments.
     one_shift: bool,
     seeds: usize,
+    #[schemars(with = "Option<f64>")]
     standard_errors: f64,
 }
 
-#[derive(Serialize)]
+#[derive(Serialize, JsonSchema)]
 struct Opacity {
     answered: usize,
     agree: usize,
     /// Null where it is not finite.
+    #[schemars(with = "Option<f64>")]
     largest_difference: f64,
     #[serde(skip_serializing_if = "Option::is_none")]
     witness: Option<OpacityShown>,
 }
 
-#[derive(Serialize)]
+#[derive(Serialize, JsonSchema)]
 struct OpacityShown {
     text: String,
+    #[schemars(with = "Option<f64>")]
     got: f64,
+    #[schemars(with = "Option<f64>")]
     want: f64,
     task: Value,
 }
 
-#[derive(Serialize)]
+#[derive(Serialize, JsonSchema)]
 struct Part {
     #[serde(rename = "part")]
     name: &'static str,
@@ -115,16 +128,19 @@ struct Part {
     words: String,
 }
 
-#[derive(Serialize)]
+#[derive(Serialize, JsonSchema)]
+#[schemars(rename = "Validated")]
 struct Held<'a> {
     rays: &'a str,
     asked: usize,
     agree: usize,
     unanswered: usize,
+    #[schemars(with = "Option<f64>")]
     digits: f64,
 }
 
-#[derive(Serialize)]
+#[derive(Serialize, JsonSchema)]
+#[schemars(rename = "Deviation")]
 struct Deviating<'a> {
     name: &'a str,
     value: Option<f64>,
@@ -138,26 +154,31 @@ struct Deviating<'a> {
     instead_of: Option<&'a str>,
 }
 
-#[derive(Serialize)]
+#[derive(Serialize, JsonSchema)]
+#[schemars(rename = "NotIdentified")]
 struct Open<'a> {
     reason: &'a str,
     columns: &'a [String],
     rows: &'a [Vec<f64>],
 }
 
-#[derive(Serialize)]
+#[derive(Serialize, JsonSchema)]
+#[schemars(rename = "Witness")]
 struct Seen {
     text: String,
     channel: usize,
     /// Null where it is not finite.
+    #[schemars(with = "Option<f64>")]
     got: f64,
+    #[schemars(with = "Option<f64>")]
     want: f64,
+    #[schemars(with = "Option<f64>")]
     tolerance: f64,
     /// As it is asked, for `--replay`.
     task: Value,
 }
 
-#[derive(Serialize)]
+#[derive(Serialize, JsonSchema)]
 struct Compared<'a> {
     kernel: &'a str,
     agree: bool,
@@ -169,7 +190,7 @@ struct Compared<'a> {
     witness: Option<Seen>,
 }
 
-#[derive(Serialize)]
+#[derive(Serialize, JsonSchema)]
 struct Differing<'a> {
     part: &'a str,
     one: Option<&'a str>,
@@ -177,13 +198,19 @@ struct Differing<'a> {
 }
 
 /// What was asked.
-#[derive(Serialize)]
+#[derive(Serialize, JsonSchema)]
 pub(in crate::report) struct Cost {
     rays: u64,
     segments: u64,
     longest: u64,
     unanswered: u64,
     rays_for_witness: u64,
+}
+
+/// The JSON Schema of [`json`].
+#[must_use]
+pub fn schema() -> Value {
+    written::<Document<'_>>()
 }
 
 /// `{"volver": version, "kernel": …, "verdict": …, "rule": …, "deviations": […], "witness": …}`, indented, with a newline

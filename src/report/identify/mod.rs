@@ -9,9 +9,9 @@ mod stated;
 pub(super) mod words;
 
 #[cfg(feature = "studies")]
-pub use json::json;
-#[cfg(feature = "studies")]
 pub(super) use json::{Cost, Found, cost, found};
+#[cfg(feature = "studies")]
+pub use json::{json, schema};
 #[cfg(feature = "studies")]
 pub use stated::Stated;
 

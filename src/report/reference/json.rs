@@ -2,19 +2,24 @@
 
 use super::{Found, source};
 use crate::case::{Case, Unproved};
-use crate::convergence::serialize_float;
+use crate::convergence::{float_schema, serialize_float};
 use crate::render::ReportError;
 use crate::report::cases::{decimal_of, serialize_optional};
+use crate::report::schema::written;
 use rug::Float;
+use schemars::JsonSchema;
 use serde::Serialize;
+use serde_json::Value;
 
-#[derive(Serialize)]
+#[derive(Serialize, JsonSchema)]
+#[schemars(rename = "References")]
 struct Document<'a> {
     volver: &'static str,
     references: Vec<Object<'a>>,
 }
 
-#[derive(Serialize)]
+#[derive(Serialize, JsonSchema)]
+#[schemars(rename = "Reference")]
 struct Object<'a> {
     name: &'a str,
     channel: Option<&'a str>,
@@ -22,6 +27,7 @@ struct Object<'a> {
     asked: u32,
     digits: Option<u32>,
     #[serde(serialize_with = "serialize_float")]
+    #[schemars(schema_with = "float_schema")]
     error: Float,
     proved: bool,
     not_proved: Option<String>,
@@ -31,9 +37,16 @@ struct Object<'a> {
     evaluations: u64,
     transcendental_calls: u64,
     #[serde(serialize_with = "serialize_optional")]
+    #[schemars(with = "Option<Value>")]
     difference: Option<Float>,
     /// What the value rests on without a proof.
     unproved: &'a [Unproved],
+}
+
+/// The JSON Schema of [`json`].
+#[must_use]
+pub fn schema() -> Value {
+    written::<Document<'_>>()
 }
 
 /// All channels, indented, with a newline at the end.

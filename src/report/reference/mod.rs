@@ -2,7 +2,7 @@
 
 mod json;
 
-pub use json::json;
+pub use json::{json, schema};
 
 use super::cases::{decimal, decimal_of};
 use crate::case::Case;

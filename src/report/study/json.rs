@@ -2,14 +2,18 @@
 
 use crate::case::Unproved;
 use crate::convergence::Fit;
-use crate::convergence::{Laws, serialize_float};
+use crate::convergence::{Laws, float_schema, serialize_float};
 use crate::report::ReportError;
+use crate::report::schema::written;
 use crate::study::sweep::{Bits, Errors, Line, Results, SplitSummary, State, Theory};
 use rug::Float;
+use schemars::JsonSchema;
 use serde::Serialize;
+use serde_json::Value;
 use std::collections::BTreeMap;
 
-#[derive(Serialize)]
+#[derive(Serialize, JsonSchema)]
+#[schemars(rename = "Study")]
 struct Document<'a> {
     volver: &'static str,
     settings: Settings<'a>,
@@ -19,14 +23,16 @@ struct Document<'a> {
 }
 
 /// A statement of a case that is not proved.
-#[derive(Serialize)]
+#[derive(Serialize, JsonSchema)]
+#[schemars(rename = "UnprovedOf")]
 struct Open<'a> {
     case: &'a str,
     #[serde(flatten)]
     what: &'a Unproved,
 }
 
-#[derive(Serialize)]
+#[derive(Serialize, JsonSchema)]
+#[schemars(rename = "StudySettings")]
 struct Settings<'a> {
     cases: Vec<&'a str>,
     methods: &'a [String],
@@ -34,17 +40,21 @@ struct Settings<'a> {
     levels: &'a [u64],
     sweep_bits: Option<[u32; 2]>,
     #[serde(skip_serializing_if = "Errors::is_split")]
+    #[schemars(with = "Option<String>")]
     errors: Errors,
 }
 
-#[derive(Serialize)]
+#[derive(Serialize, JsonSchema)]
+#[schemars(rename = "StudyRow")]
 struct RowOf<'a> {
     case: &'a str,
     method: &'a str,
     format: &'a str,
     bits: u32,
     #[serde(serialize_with = "serialize_float")]
+    #[schemars(schema_with = "float_schema")]
     radiance: Float,
+    #[schemars(with = "Value")]
     expected: Theory,
     contradicts_theory: bool,
     #[serde(skip_serializing_if = "Option::is_none")]
@@ -57,19 +67,28 @@ struct RowOf<'a> {
 }
 
 /// What needs errors that are split.
-#[derive(Serialize)]
+#[derive(Serialize, JsonSchema)]
 struct Models<'a> {
+    #[schemars(with = "Value")]
     laws: &'a Laws,
     crossing: Option<f64>,
     best: Option<Best>,
+    #[schemars(with = "Vec<Value>")]
     bits_needed: &'a [Bits],
 }
 
-#[derive(Serialize)]
+#[derive(Serialize, JsonSchema)]
 struct Best {
     n: f64,
     #[serde(serialize_with = "serialize_float")]
+    #[schemars(schema_with = "float_schema")]
     error: Float,
+}
+
+/// The JSON Schema of [`json`].
+#[must_use]
+pub fn schema() -> Value {
+    written::<Document<'_>>()
 }
 
 /// `{"volver": version, "settings": {…}, "rows": […]}`, indented, with a newline at the end. Rows have the

@@ -10,7 +10,7 @@ mod whole;
 pub(super) mod words;
 
 pub use columns::parquet;
-pub use json::json;
+pub use json::{json, schema};
 pub use parts::of_split;
 
 use super::counts::counts;

@@ -2,18 +2,23 @@
 
 use super::words::theory;
 use crate::case::Unproved;
-use crate::convergence::{Fit, ReportedError, Sample, StochasticFit, serialize_float};
+use crate::convergence::{
+    Fit, ReportedError, Sample, StochasticFit, float_schema, serialize_float,
+};
 use crate::identify::Together;
 use crate::kernel::{Declaration, KernelError, Quantity, Quantum, Rendering, Source, UlpBound};
+use crate::report::schema::written;
 use crate::report::{ReportError, identify};
 use crate::study::verify::{
     self as standing, Acceptance, Axis, Beyond, Identified, Line, Measured, Verification,
 };
 use rug::Float;
+use schemars::JsonSchema;
 use serde::Serialize;
 use std::num::{NonZeroU64, NonZeroUsize};
 
-#[derive(Serialize)]
+#[derive(Serialize, JsonSchema)]
+#[schemars(rename = "Verification")]
 struct Document<'a> {
     volver: &'static str,
     kernel: Kernel<'a>,
@@ -39,7 +44,7 @@ struct Document<'a> {
     lines: Vec<Row<'a>>,
 }
 
-#[derive(Serialize)]
+#[derive(Serialize, JsonSchema)]
 // Facts that do not depend on each other.
 #[allow(clippy::struct_excessive_bools)]
 struct Kernel<'a> {
@@ -65,15 +70,16 @@ struct Kernel<'a> {
 }
 
 /// What answers are multiples of: a number, or a part of the largest emission.
-#[derive(Serialize)]
+#[derive(Serialize, JsonSchema)]
 #[serde(untagged)]
+#[schemars(rename = "Quantum")]
 enum Stored {
     Absolute(f64),
     Relative { relative: f64 },
 }
 
 /// What is declared beside the format, where anything is.
-#[derive(Serialize)]
+#[derive(Serialize, JsonSchema)]
 struct Arithmetic {
     #[serde(skip_serializing_if = "Option::is_none")]
     output: Option<String>,
@@ -113,7 +119,7 @@ impl Arithmetic {
     }
 }
 
-#[derive(Serialize)]
+#[derive(Serialize, JsonSchema)]
 struct Counts {
     confirmed: usize,
     contradicted: usize,
@@ -124,7 +130,7 @@ struct Counts {
 }
 
 /// A quantity that is answered beside the first.
-#[derive(Serialize)]
+#[derive(Serialize, JsonSchema)]
 struct Answers {
     quantity: &'static str,
     shown: bool,
@@ -132,13 +138,14 @@ struct Answers {
 }
 
 /// In how many channels values are those of the declared method.
-#[derive(Serialize)]
+#[derive(Serialize, JsonSchema)]
 struct Declared {
     agree: usize,
     of: usize,
 }
 
-#[derive(Serialize)]
+#[derive(Serialize, JsonSchema)]
+#[schemars(rename = "Identified")]
 struct Identification<'a> {
     /// Whether the rule holds in most channels too.
     named: bool,
@@ -150,7 +157,7 @@ struct Identification<'a> {
 }
 
 /// Many rays in one request.
-#[derive(Serialize)]
+#[derive(Serialize, JsonSchema)]
 struct Batch<'a> {
     rays: usize,
     /// Of the shortest and of the longest.
@@ -167,7 +174,7 @@ struct Batch<'a> {
 }
 
 /// The first ray that differs.
-#[derive(Serialize)]
+#[derive(Serialize, JsonSchema)]
 struct Apart {
     ray: usize,
     segments: usize,
@@ -178,20 +185,21 @@ struct Apart {
 }
 
 /// The rule against the values of the ladder.
-#[derive(Serialize)]
+#[derive(Serialize, JsonSchema)]
 struct Agreement<'a> {
     compared: usize,
     agree: usize,
     differ: &'a [String],
 }
 
-#[derive(Serialize)]
+#[derive(Serialize, JsonSchema)]
 struct Finding<'a> {
     words: &'a str,
     channels: &'a [String],
 }
 
-#[derive(Serialize)]
+#[derive(Serialize, JsonSchema)]
+#[schemars(rename = "Line")]
 struct Row<'a> {
     name: &'a str,
     quantity: &'static str,
@@ -201,6 +209,7 @@ struct Row<'a> {
     order: Option<f64>,
     half_width: Option<f64>,
     #[serde(serialize_with = "serialize_float")]
+    #[schemars(schema_with = "float_schema")]
     exact: Float,
     #[serde(skip_serializing_if = "<[_]>::is_empty")]
     unproved: &'a [Unproved],
@@ -223,10 +232,16 @@ struct Row<'a> {
     reported_errors: Option<ReportedError>,
 }
 
-#[derive(Serialize)]
+#[derive(Serialize, JsonSchema)]
 struct Failure {
     segments: u64,
     error: String,
+}
+
+/// The JSON Schema of [`json`].
+#[must_use]
+pub fn schema() -> serde_json::Value {
+    written::<Document<'_>>()
 }
 
 /// `{"volver": version, "kernel": …, "conclusion": …, "identification": …, "lines": […]}`, indented, with a newline at

@@ -13,7 +13,7 @@ mod together;
 mod words;
 
 #[cfg(feature = "studies")]
-pub use json::json;
+pub use json::{json, schema};
 #[cfg(feature = "studies")]
 pub use junit::junit;
 pub use rows::{heading, row, scattered_heading};

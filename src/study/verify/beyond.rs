@@ -12,6 +12,7 @@ const FALLING: f64 = 0.5;
 
 /// From where on levels do not show the order.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Serialize)]
+#[cfg_attr(feature = "studies", derive(schemars::JsonSchema))]
 pub struct Beyond {
     /// Segments of the finest level that still shows discretization.
     pub n: u64,
@@ -21,6 +22,7 @@ pub struct Beyond {
 
 /// What is larger than discretization at fine levels.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Serialize)]
+#[cfg_attr(feature = "studies", derive(schemars::JsonSchema))]
 #[serde(rename_all = "kebab-case")]
 pub enum TakesOver {
     /// Rounding, as much as the format allows.

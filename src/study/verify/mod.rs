@@ -45,7 +45,9 @@ pub use standing::{Counts, Standing};
 use super::Progress;
 use crate::convergence::Verdict;
 use crate::identify::{OPACITY_ANSWERED, Silence, Spent, Together, together};
-use crate::kernel::{Declaration, DeclarationError, Kernel, Quantity, Subject, SubjectError};
+use crate::kernel::{
+    Declaration, DeclarationError, Kernel, KernelError, Quantity, Subject, SubjectError,
+};
 use crate::reference::ReferenceError;
 use asked::Asked;
 use identified::{Ladder, identified};
@@ -356,6 +358,9 @@ pub fn verify(
         }
         let asked = prepared.asked(subject)?;
         let answers = asked.of(kernel, progress);
+        if let Some(why) = kernel.gone() {
+            return Err(why.into());
+        }
         seeds.hear(&answers);
         unanswered = if answers.are_there() {
             0
@@ -392,6 +397,9 @@ pub fn verify(
         }
         _ => None,
     };
+    if let Some(why) = kernel.gone() {
+        return Err(why.into());
+    }
     let Prepared {
         declaration,
         settings,
@@ -420,6 +428,9 @@ pub fn verify(
 /// What no verification can be made of.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
 pub enum VerifyError {
+    /// The kernel is gone for good.
+    #[error(transparent)]
+    Gone(#[from] KernelError),
     /// The kernel declares what cannot all be.
     #[error(transparent)]
     Declaration(#[from] DeclarationError),

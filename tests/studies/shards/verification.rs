@@ -166,7 +166,7 @@ fn what_is_not_that_verification_is_refused_in_one_line() {
     );
     assert_eq!(code, 2);
     assert!(
-        error.contains("--extremes with --shard (allowed: with 'volver merge', or without shards)"),
+        error.contains("--extremes with --shard (allowed: without shards)"),
         "{error}"
     );
     let (code, _, error) = volver(at, "study --cases sine-squared --out d --shard 1/2 --quiet");

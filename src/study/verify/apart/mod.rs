@@ -264,5 +264,8 @@ pub fn ask(
             }
         }
     }
-    Ok(recorded.into_entries())
+    match recorded.gone() {
+        Some(why) => Err(why.into()),
+        None => Ok(recorded.into_entries()),
+    }
 }

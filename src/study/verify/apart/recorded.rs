@@ -67,6 +67,10 @@ impl Kernel for Recorded<'_> {
         results
     }
 
+    fn gone(&self) -> Option<KernelError> {
+        self.kernel.gone()
+    }
+
     fn renew(&mut self) {
         self.kernel.renew();
     }
