@@ -23,7 +23,7 @@ REFERENCE = [
     "nonsmooth", "stress", "scale", "trust", "benchmarks", "architecture", "contributing",
 ]  # fmt: skip
 MOST = 30
-TUTORIALS = ["python", "cpp", "rust", "which-error", "how-many-bits", "gradients", "ci"]
+TUTORIALS = ["function", "python", "cpp", "rust", "which-error", "how-many-bits", "gradients", "ci"]
 
 
 class Stage:
