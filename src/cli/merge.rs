@@ -20,9 +20,10 @@ use volver::study::verify::apart::{self, Entry};
 const PAUSE: Duration = Duration::from_secs(2);
 
 const EXAMPLES: &str = "\
-DIR is where --shard or --on of 'volver study' or 'volver verify' keeps the files of shards. Where every
-unit is there, DIR gets the files that one machine writes, byte for byte. Otherwise
-what is missing is listed by shards to run again, nothing is written, and the exit code is 1.
+DIR is where --shard or --on of 'volver study' or 'volver verify' keeps the files of
+shards. Where every unit is there, DIR gets the files that one machine writes, byte for
+byte. Otherwise what is missing is listed by shards to run again, nothing is written, and
+the exit code is 1.
 
 Units count once, whichever file has them: those of runs that were killed too. A line
 that is not as it was written counts for nothing; a unit that came out differently in two

@@ -32,6 +32,8 @@ Work: cases × levels × seeds, at most 64 levels of 524288 segments, and as man
 for the rule; with --batch 2 K + 32 rays of up to 64 segments; a program has --timeout for each
 answer. A bar on the terminal says how much is left.
 
+With --shard or --on a slow kernel is asked on many machines; 'volver merge' joins.
+
 CASES are names that 'volver cases' lists, NAME/CHANNEL, tags, or paths of case files.
 LADDER is as for 'volver reproduce'. ORDER is 2, 1.5 or 3/2.
 
@@ -40,6 +42,7 @@ Examples:
   volver verify --cases sine-squared,thick method:trapezoid/trapezoid@f32
   volver verify --uneven --cases polynomial --json - method:tree/front/expm1
   volver verify --extremes method:front-to-back/middle/subtraction@f32
+  volver verify --cases sine-squared --out apart --shard 1/2 --quiet method:tree/middle/expm1
   volver new python ray && volver verify --spacing log --cases sine-squared python3 ray/kernel.py
   volver new python mine && volver verify --cases sine-squared --batch 64 python3 mine/kernel.py";
 
