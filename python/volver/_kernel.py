@@ -14,7 +14,7 @@ from ._rays import Samples, Segments, formula_of, volume_of
 from ._version import VERSION
 
 if TYPE_CHECKING:
-    from ._session import Guard
+    from ._guard import Guard
 
 #: rays in one frame at most
 BATCH = 4096

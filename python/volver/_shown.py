@@ -4,9 +4,11 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 from html import escape
-from typing import Any
+from typing import Any, TypeVar
 
-from ._errors import MissingError
+from ._errors import MissingError, VolverError
+
+R = TypeVar("R", bound="Shown")
 
 #: colours that are read on light and dark pages alike
 GOOD, BAD = "#2e7d32", "#c62828"
@@ -24,8 +26,17 @@ class Shown:
     #: the list of JSON that is one row each in a frame, or none for a single row
     _rows = ""
 
-    def _with(self, data: Mapping[str, Any], text: str, passed: bool) -> None:
-        self.data, self.text, self.passed = data, text, passed
+    @classmethod
+    def of(cls: type[R], data: Mapping[str, Any], text: str, passed: bool) -> R:
+        """From the program's JSON and its words."""
+        try:
+            found: R = cls.read(data)  # type: ignore[attr-defined]
+        except (KeyError, TypeError) as error:
+            raise VolverError(
+                f"the program's JSON is none of '{cls.__name__}': {error!r} (allowed: its own version)"
+            ) from None
+        found.data, found.text, found.passed = data, text, passed
+        return found
 
     def __bool__(self) -> bool:
         raise TypeError("a result is neither true nor false (allowed: .passed)")
