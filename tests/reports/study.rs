@@ -280,6 +280,40 @@ fn a_table_has_flags_in_place_of_numbers_that_databases_read_otherwise() {
 }
 
 #[test]
+fn every_row_of_the_table_has_what_its_line_says_in_all() {
+    let results = many(10);
+    let mut file = tempfile::tempfile().unwrap();
+    file.write_all(&parquet(&results).unwrap()).unwrap();
+    let reader = SerializedFileReader::new(file).unwrap();
+    let mut against = 0;
+    for row in reader.get_row_iter(None).unwrap() {
+        let row = row.unwrap();
+        let find = |wanted: &str| {
+            let mut columns = row.get_column_iter();
+            columns.find(|(name, _)| *name == wanted).unwrap().1.clone()
+        };
+        let text = |name| match find(name) {
+            Field::Str(text) => text,
+            other => panic!("{other:?}"),
+        };
+        let Field::Double(order) = find("order") else {
+            panic!("no order");
+        };
+        assert!((order - 2.0).abs() < 1e-3, "{order}");
+        // Every tenth case is said to have order 3.
+        let is_last = text("case") == "case-9";
+        assert_eq!(text("theory"), if is_last { "3" } else { "2" });
+        assert_eq!(
+            text("verdict"),
+            if is_last { "TooLow" } else { "Confirmed" }
+        );
+        assert_eq!(find("against_theory"), Field::Bool(is_last));
+        against += usize::from(is_last);
+    }
+    assert_eq!(against, 2 * 10);
+}
+
+#[test]
 fn a_page_has_the_tables_and_plots_of_the_document() {
     let results = odd();
     let document = document(&results);

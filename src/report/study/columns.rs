@@ -1,5 +1,7 @@
 //! Every level as a Parquet file, for databases and data frames.
 
+use super::words::theory;
+use crate::convergence::Fit;
 use crate::render::ReportError;
 use crate::study::shards::Key;
 use crate::study::sweep::{Block, LevelRecord, Line, Part, Results, State};
@@ -36,7 +38,7 @@ enum Of {
 
 /// Engines differ in what they do with NaN, so that there is none: a value that is not there, or no number of binary64, is null,
 /// and the flags say why.
-const COLUMNS: [(&str, Of); 19] = [
+const COLUMNS: [(&str, Of); 24] = [
     ("key", Of::Long(|row| row.key.number().cast_signed())),
     ("case", Of::Text(|row| row.line.case.clone())),
     ("method", Of::Text(|row| row.line.row.method.clone())),
@@ -77,7 +79,28 @@ const COLUMNS: [(&str, Of); 19] = [
         "resolution",
         Of::Real(|row| real(row.level.resolution.as_ref())),
     ),
+    // What the levels of a line say together, on each of them.
+    ("theory", Of::Text(|row| theory(row.line.row.expected))),
+    ("order", Of::Real(|row| finite(fit(row).order))),
+    (
+        "order_half_width",
+        Of::Real(|row| finite(fit(row).half_width)),
+    ),
+    ("verdict", Of::Text(|row| fit(row).verdict.name().into())),
+    (
+        "against_theory",
+        Of::Flag(|row| row.line.contradicts_theory()),
+    ),
 ];
+
+fn finite(x: Option<f64>) -> Option<f64> {
+    x.filter(|x| x.is_finite())
+}
+
+/// The order that verdicts are on.
+fn fit<'a>(row: &Row<'a>) -> &'a Fit {
+    row.line.summary.order()
+}
 
 /// Whether the method has no answer there, or one whose error is not known.
 fn has_failed(state: &State) -> bool {
