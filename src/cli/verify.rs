@@ -42,7 +42,7 @@ Examples:
   volver verify --cases sine-squared,thick method:trapezoid/trapezoid@f32
   volver verify --uneven --cases polynomial --json - method:tree/front/expm1
   volver verify --extremes method:front-to-back/middle/subtraction@f32
-  volver verify --cases sine-squared --out apart --shard 1/2 --quiet method:tree/middle/expm1
+  volver verify --cases sine-squared --out apart --shard 1/2 method:tree/middle/expm1
   volver new python ray && volver verify --spacing log --cases sine-squared python3 ray/kernel.py
   volver new python mine && volver verify --cases sine-squared --batch 64 python3 mine/kernel.py";
 
