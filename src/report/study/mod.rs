@@ -37,7 +37,7 @@ const SAID: &str = "The verdicts above are on the order of the discretization er
 
 /// For every case and method its orders and roundoff, format by format, with what happened at some levels and the parts of the
 /// error as plots; then maps of correct digits. All levels are a table for CSV, the orders one for LaTeX. Where errors are known as
-/// a whole alone, what tells of their parts is left out. Of more than [`overview::PAIRS`] cases times methods there is an overview
+/// a whole alone, what tells of their parts is left out. Of more than 200 cases times methods there is an overview
 /// in place of sections and plots.
 #[must_use]
 pub fn document(results: &Results, about: &About) -> Document {
