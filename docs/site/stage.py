@@ -20,7 +20,7 @@ LANGUAGES = {".c": "c", ".h": "c", ".py": "python", ".rs": "rust", ".toml": "tom
 # The reference, in the order of a reader who comes to it from the tutorials.
 REFERENCE = [
     "verify", "identify", "verdicts", "gradient", "protocol", "commands", "report", "study", "tradeoff", "scenes", "cases",
-    "nonsmooth", "stress", "scale", "trust", "benchmarks", "architecture", "contributing",
+    "nonsmooth", "stress", "scale", "python", "trust", "benchmarks", "architecture", "contributing",
 ]  # fmt: skip
 MOST = 30
 TUTORIALS = ["function", "python", "cpp", "rust", "which-error", "how-many-bits", "gradients", "ci"]
