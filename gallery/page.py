@@ -76,6 +76,9 @@ def _found(found):
         parts.append(f"- not identified: {reason}")
     if not found["rule"] and found["not_identified"]:
         parts.append("")
+    if batch := found.get("batch"):
+        said = f"`{batch['name']}`: {batch['does']}" if batch["name"] else "each has the answer that it has alone"
+        parts.append(f"*{batch['rays']} rays in one request*: {said}.\n")
     if "gradients" in found:
         parts.append(f"*Gradients*: {_gradients(found['gradients'])}\n")
     return parts
@@ -114,4 +117,4 @@ def _cell(text):
 
 
 def _anchor(row):
-    return row.name.lower()
+    return row.name.lower().replace(".", "")
