@@ -36,6 +36,7 @@ def render(task):
     return scene.radiance(task, pixel)
 
 
-# The guess: compositing of middles with opacities corrected for the step, in 15 bits.
+# The guess: compositing of middles with opacities corrected for the step, in 15 bits of the brightest colour.
 declaration = {"name": "VTK fixed point", "form": "volume", "format": "fixed:15", "quantum": 1 / ONE, "step": "divides"}
-serve(declaration | {"order": 2, "sampling": "middle", "emission": "positive", "answers": ["radiance", "opacity"]}, render)
+declaration |= {"order": 2, "sampling": "middle", "emission": "positive", "channels": 1}
+serve(declaration | {"answers": ["radiance", "opacity"]}, render)

@@ -24,7 +24,7 @@ against rays that it was not found with, and in words what one would have guesse
 a user should know. docs/gallery.md has all rows; 'make gallery' asks the packages anew.
 
 gallery:NAME is a kernel that computes by the formula of a row, with no package installed:
-with it another kernel is compared, or put to the test.
+'volver identify --against gallery:nerfacc python3 mine.py' says in what another one differs.
 
 Work: none that grows.
 
@@ -32,7 +32,7 @@ Examples:
   volver gallery
   volver gallery nerfacc
   volver gallery nerfacc --json -
-  volver verify --cases sine-squared gallery:nerfacc";
+  volver identify gallery:nerfacc";
 
 /// Show what real packages compute
 #[derive(Args)]
@@ -141,7 +141,8 @@ fn all(rows: &[Row]) -> Document {
         Column::text("version"),
         Column::text("kind"),
         Column::text("format"),
-        Column::text("deviates from what one would guess in"),
+        Column::text("formula"),
+        Column::text("deviates from the guess in"),
     ];
     let table = rows.iter().map(|row| {
         let deviates = if row.why_not.is_empty() {
@@ -149,8 +150,16 @@ fn all(rows: &[Row]) -> Document {
         } else {
             format!("not driven: {}", row.why_not)
         };
-        let cells = [&row.name, &row.version, &row.kind, &row.format, &deviates];
-        cells.map(Cell::text).to_vec()
+        let formula = if row.formula.is_some() { "known" } else { "-" };
+        let texts = [
+            &*row.name,
+            &row.version,
+            &row.kind,
+            &row.format,
+            formula,
+            &deviates,
+        ];
+        texts.map(Cell::text).to_vec()
     });
     let table = Table::new("What real packages compute", columns).with(table);
     let mut document = Document::new("gallery", "What real packages compute", about());
