@@ -1,6 +1,6 @@
 # What a stranger runs and what CI runs are the same commands.
 
-.PHONY: reproduce test library thorough attack proofs mutants lint kernels page docs python engines flint bench setup
+.PHONY: reproduce test library thorough attack proofs mutants lint kernels page docs python engines gallery flint bench setup
 .DEFAULT_GOAL := reproduce
 
 # The main job: the paper's tables, measured again, and what lies beyond them; the report goes to reproduction/.
@@ -62,6 +62,10 @@ python: setup
 # Studies in shards by a real Slurm, Debian's, which it installs and starts on this machine as root, and a manifest of Kubernetes.
 engines: setup
 	tests/engines/check
+
+# What public packages compute, each installed in an environment of its own; takes an hour, and is no part of CI.
+gallery: setup
+	gallery/run
 
 # FLINT's functions: the same bits as MPFR's. FLINT is compiled, which takes minutes; installs what that needs.
 flint: setup

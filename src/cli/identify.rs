@@ -62,7 +62,7 @@ pub(crate) struct Identify {
     #[arg(long, value_name = "N", default_value_t = 66, value_parser = clap::value_parser!(u64).range(1..=1_024))]
     channels: u64,
     /// Compare with another kernel: a program with its arguments by blanks, a library or
-    /// a method
+    /// gallery:NAME, what a real package computes
     #[arg(long, value_name = "KERNEL2")]
     against: Option<String>,
     /// Ask only the ray of a witness again: a file of --json, or of one task

@@ -1,6 +1,6 @@
 //! Kernels by what stands on a command line, and the cases they are tested on.
 
-use super::{Failure, case, waiting};
+use super::{Failure, case, gallery, waiting};
 use clap::Args;
 use rug::Rational;
 use std::collections::BTreeSet;
@@ -18,9 +18,10 @@ use volver::report::ReportError;
 pub(super) const KERNELS: &str = "\
 KERNEL is a program with its arguments, which is sent rays as JSON lines
 (docs/protocol.md says how); a shared library, a path that ends in .so, .dylib or
-.dll (include/volver.h); a method of volver's own, method:NAME[@FORMAT]; or, of a
-process that is a kernel and starts volver itself, fd:READ,WRITE, descriptors of pipes
-that volver reads answers from and writes requests to.
+.dll (include/volver.h); a method of volver's own, method:NAME[@FORMAT]; what a real
+package computes, gallery:NAME ('volver gallery' lists them); or, of a process that is a
+kernel and starts volver itself, fd:READ,WRITE, descriptors of pipes that volver reads
+answers from and writes requests to.
 What stands behind KERNEL is the program's: options of volver stand in front of it.";
 
 /// Extensions of shared libraries.
@@ -30,7 +31,7 @@ const LIBRARIES: [&str; 3] = ["so", "dylib", "dll"];
 #[derive(Args)]
 pub(super) struct KernelArguments {
     // One list, so that all behind KERNEL is the program's, --timeout too.
-    /// Program with its arguments, shared library, method:NAME[@FORMAT] or fd:READ,WRITE
+    /// Program with its arguments, shared library, method:NAME[@FORMAT], gallery:NAME or fd:READ,WRITE
     #[arg(value_name = "KERNEL", required = true, trailing_var_arg = true)]
     command: Vec<String>,
     /// Seconds that a program may take to an answer
@@ -71,6 +72,10 @@ impl KernelArguments {
         if let Some(method) = self.kernel().strip_prefix("method:") {
             self.no_program("a method")?;
             return built_in(method).map(Some);
+        }
+        if let Some(name) = self.kernel().strip_prefix(gallery::PREFIX) {
+            self.no_program("a row of the gallery")?;
+            return gallery::kernel(name).map(Some);
         }
         if self.is_library() {
             self.no_program("a library")?;
@@ -166,6 +171,7 @@ impl KernelArguments {
     pub(super) fn only_program(&self, option: &str, why: &str) -> Result<(), Failure> {
         let what = match self.kernel().strip_prefix("method:") {
             Some(_) => "a method",
+            None if self.kernel().starts_with(gallery::PREFIX) => "a row of the gallery",
             None if self.is_library() => "a library",
             None => return Ok(()),
         };

@@ -11,6 +11,7 @@ mod completions;
 mod extremes;
 mod failure;
 mod fit;
+mod gallery;
 mod gradient;
 mod gradient_test;
 mod identify;
@@ -96,6 +97,7 @@ pub(crate) enum Command {
     Reproduce(reproduce::Reproduce),
     Stress(stress::Stress),
     Fit(fit::Fit),
+    Gallery(gallery::Gallery),
     Cases(cases::Cases),
     Manufacture(manufacture::Manufacture),
     Prove(prove::Prove),
@@ -125,6 +127,7 @@ impl Command {
             Command::Reproduce(arguments) => arguments.run(),
             Command::Stress(arguments) => arguments.run(),
             Command::Fit(arguments) => arguments.run(),
+            Command::Gallery(arguments) => arguments.run(),
             Command::Cases(arguments) => arguments.run(),
             Command::Manufacture(arguments) => arguments.run(),
             Command::Prove(arguments) => arguments.run(),

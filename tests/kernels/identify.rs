@@ -9,6 +9,7 @@ mod examined;
 mod exponential;
 mod forms;
 mod gradients;
+mod kept;
 mod kinds;
 mod layers;
 mod linear;

@@ -71,6 +71,7 @@ pub(crate) fn commands() -> Vec<(&'static str, &'static str)> {
             "0.4,8e-2\n0.2,2e-2\n0.1,5e-3\n0.05,1.25e-3\n",
         ),
         ("merge sharded", ""),
+        ("gallery", ""),
         ("cases vacuum", ""),
         ("manufacture vacuum --code c", ""),
         ("prove sine-squared --no-check", ""),

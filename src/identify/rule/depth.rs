@@ -1,7 +1,7 @@
 //! The optical depth of a segment, as kernels have it.
 
 use crate::real::{Format, Real};
-use serde::Serialize;
+use serde::{Deserialize, Serialize};
 
 /// An exponent that is a multiple of one half.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash, PartialOrd, Ord)]
@@ -44,7 +44,7 @@ impl Power {
 }
 
 /// x = κ τ^a d^b D^c.
-#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Depth {
     /// κ.
     pub factor: f64,

@@ -4,12 +4,12 @@ use super::Rule;
 use crate::identify::pose::{Steps, at, plain};
 use crate::identify::ray::Ray;
 use crate::kernel::{Samples, Segments};
-use serde::Serialize;
+use serde::{Deserialize, Serialize};
 use std::borrow::Cow;
 use std::fmt;
 
 /// Where a kernel samples that looks wherever it likes: λₖ of the samples k = 0, 1, …, N − 1.
-#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(rename_all = "kebab-case")]
 pub enum Lattice {
     /// λₖ = (k + a) d, N = n.
@@ -34,7 +34,7 @@ pub enum Lattice {
 }
 
 /// p D + ℓ.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Serialize)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize)]
 pub struct Along {
     /// p.
     pub part: f64,
@@ -51,7 +51,7 @@ impl Along {
 }
 
 /// N = q n + c.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, Serialize)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, Serialize, Deserialize)]
 pub struct Count {
     /// q, samples a segment; 0 where their number does not depend on the step.
     pub each: u64,

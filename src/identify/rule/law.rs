@@ -3,10 +3,10 @@
 use super::Depth;
 use super::range::{Range, Step, Table, below, to_multiple, whole};
 use crate::real::{Format, Real};
-use serde::Serialize;
+use serde::{Deserialize, Serialize};
 
 /// (w, p) of τ and d.
-#[derive(Clone, Debug, Default, PartialEq, Serialize)]
+#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
 pub struct Law {
     /// x.
     pub depth: Depth,
@@ -29,7 +29,7 @@ pub struct Law {
 }
 
 /// How 1 − e^(−x) is computed: the same but for rounding.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash, Serialize)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash, Serialize, Deserialize)]
 #[serde(rename_all = "kebab-case")]
 pub enum Formula {
     /// By one exponential.
@@ -40,7 +40,7 @@ pub enum Formula {
 }
 
 /// A factor, 1 unless it is another.
-#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Scale(pub f64);
 
 impl Default for Scale {
@@ -50,7 +50,7 @@ impl Default for Scale {
 }
 
 /// What is let through, of the depth x.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash, Serialize)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash, Serialize, Deserialize)]
 #[serde(rename_all = "kebab-case")]
 pub enum Shape {
     /// e^(−x).
@@ -123,7 +123,7 @@ impl Shape {
 }
 
 /// What the emission is multiplied by, but for the scale.
-#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(rename_all = "kebab-case")]
 pub enum Weight {
     /// (1 − p)^a p^b.

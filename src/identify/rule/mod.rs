@@ -8,6 +8,7 @@ mod c;
 mod composed;
 mod depth;
 mod json;
+mod kernel;
 mod latex;
 mod lattice;
 mod law;
@@ -23,6 +24,7 @@ mod text;
 
 pub use composed::{Composed, Node};
 pub use depth::{Depth, Power};
+pub use kernel::RuleKernel;
 pub(super) use lattice::plus;
 pub use lattice::{Along, Count, Lattice};
 pub use law::{Formula, Law, Scale, Shape, Weight};
@@ -33,10 +35,10 @@ pub(super) use scheme::Three;
 pub use scheme::{Place, Scheme, Segment};
 pub use seam::{At, Blocks, Effect, Seam, Which};
 pub use sequence::{End, Extra, LastStep, Sequence};
-use serde::Serialize;
+use serde::{Deserialize, Serialize};
 
 /// What a kernel computes of a ray.
-#[derive(Clone, Debug, Default, PartialEq, Serialize)]
+#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize)]
 pub struct Rule {
     /// What one segment adds and lets through.
     pub scheme: Scheme,
@@ -68,7 +70,7 @@ pub struct Rule {
 }
 
 /// A ray that ends before its end.
-#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Stop {
     /// What is compared.
     pub by: StopBy,
@@ -84,7 +86,7 @@ pub struct Stop {
 }
 
 /// What decides that a ray ends.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, Serialize)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, Serialize, Deserialize)]
 #[serde(rename_all = "kebab-case")]
 pub enum StopBy {
     /// The transmittance behind the sample.
@@ -96,7 +98,7 @@ pub enum StopBy {
 }
 
 /// What takes the place of the last segment.
-#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(rename_all = "kebab-case")]
 pub enum Wall {
     /// The last segment is opaque where it absorbs anything.
@@ -108,7 +110,7 @@ pub enum Wall {
 }
 
 /// A factor of the radiance that depends on the whole ray.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash, Serialize)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash, Serialize, Deserialize)]
 #[serde(rename_all = "kebab-case")]
 pub enum Whole {
     /// 1.

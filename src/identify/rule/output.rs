@@ -1,10 +1,10 @@
 //! From radiance to answer.
 
 use crate::real::{Format, Real};
-use serde::Serialize;
+use serde::{Deserialize, Serialize};
 
 /// y = round(clip(g(x))).
-#[derive(Clone, Copy, Debug, Default, PartialEq, Serialize)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize)]
 pub struct Output {
     /// g.
     pub curve: Curve,
@@ -17,7 +17,7 @@ pub struct Output {
 }
 
 /// g.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Serialize)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize)]
 #[serde(rename_all = "kebab-case")]
 pub enum Curve {
     /// x.
@@ -101,7 +101,7 @@ impl Output {
 }
 
 /// Whose answer stands where.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash, Serialize)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash, Serialize, Deserialize)]
 #[serde(rename_all = "kebab-case")]
 pub enum Channels {
     /// Each channel's in its own place.

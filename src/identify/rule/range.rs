@@ -1,10 +1,10 @@
 //! Where a law does not hold: clamps, skips, series, steps and tables.
 
 use crate::real::{Format, Real};
-use serde::Serialize;
+use serde::{Deserialize, Serialize};
 
 /// Where a law does not hold, or holds otherwise.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Serialize)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize)]
 pub struct Range {
     /// A depth above this counts as this.
     pub depth_max: Option<f64>,
@@ -31,7 +31,7 @@ pub struct Range {
 }
 
 /// How opacities become multiples of a quantum.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash, Serialize)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash, Serialize, Deserialize)]
 #[serde(rename_all = "kebab-case")]
 pub enum Quantised {
     /// To the nearest one.
@@ -76,7 +76,7 @@ impl Quantised {
 }
 
 /// 1 − e^(−x) ≈ x − x²/2 + … up to xᴷ, where x < `below`.
-#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Series {
     /// The depth.
     pub below: f64,
@@ -85,7 +85,7 @@ pub struct Series {
 }
 
 /// e^(−x) by a table over x.
-#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Table {
     /// The width of its cells.
     pub step: f64,
@@ -96,7 +96,7 @@ pub struct Table {
 }
 
 /// What a table gives between its entries.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, Serialize)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, Serialize, Deserialize)]
 #[serde(rename_all = "kebab-case")]
 pub enum Step {
     /// The nearest one.

@@ -5,10 +5,10 @@ use crate::case::Transfer;
 use crate::real::special::linear_in_depth;
 use crate::real::{Format, Real};
 use rug::Rational;
-use serde::Serialize;
+use serde::{Deserialize, Serialize};
 
 /// Where in its segment a sample lies.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash, Serialize)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash, Serialize, Deserialize)]
 #[serde(rename_all = "kebab-case")]
 pub enum Place {
     /// At the end nearer to the eye.
@@ -21,7 +21,7 @@ pub enum Place {
 }
 
 /// How segments are weighed.
-#[derive(Clone, Debug, PartialEq, Serialize)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(rename_all = "kebab-case")]
 pub enum Scheme {
     /// By one sample each.
@@ -34,7 +34,7 @@ pub enum Scheme {
     /// By several values each.
     Segments {
         /// Part of d·τ in front, in the middle and at the back that make a segment's depth.
-        #[serde(serialize_with = "super::json::ratios")]
+        #[serde(with = "super::json::ratios")]
         depth: [Rational; 3],
         /// What the emissions are multiplied by.
         weights: Segment,
@@ -72,13 +72,13 @@ impl Default for Scheme {
 }
 
 /// The weights of a segment with extinctions f, m, b in front, in the middle and at the back, depth x.
-#[derive(Clone, Debug, PartialEq, Eq, Serialize)]
+#[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(rename_all = "kebab-case")]
 pub enum Segment {
     /// (1 − e^(−x)) times parts of the three emissions.
     Opacity {
         /// The parts.
-        #[serde(serialize_with = "super::json::ratios")]
+        #[serde(with = "super::json::ratios")]
         parts: [Rational; 3],
     },
     /// Source linear in optical depth: 1 − e in front and e − e^(−x) at the back, e = (1 − e^(−x))/x.
@@ -91,16 +91,16 @@ pub enum Segment {
     /// d f cf, d m cm e^(−y), d b cb e^(−x), y the depth to the middle: trapezoids and Simpson's rule.
     Quadrature {
         /// (cf, cm, cb).
-        #[serde(serialize_with = "super::json::ratios")]
+        #[serde(with = "super::json::ratios")]
         parts: [Rational; 3],
         /// Parts of d·τ that make the depth to the middle.
-        #[serde(serialize_with = "super::json::ratios")]
+        #[serde(with = "super::json::ratios")]
         half: [Rational; 3],
     },
     /// d f cf, d m cm, d b cb: absorption inside the segment is neglected.
     Sum {
         /// (cf, cm, cb).
-        #[serde(serialize_with = "super::json::ratios")]
+        #[serde(with = "super::json::ratios")]
         parts: [Rational; 3],
     },
     /// Two halves with the extinctions in front and at the back.

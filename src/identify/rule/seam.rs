@@ -1,9 +1,9 @@
 //! Samples at the seams of blocks of segments: left out, or taken twice.
 
-use serde::Serialize;
+use serde::{Deserialize, Serialize};
 
 /// Where a ray is cut into blocks, and what becomes of the samples at their ends.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, Serialize)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, Serialize, Deserialize)]
 pub struct Seam {
     /// The blocks.
     pub blocks: Blocks,
@@ -18,7 +18,7 @@ pub struct Seam {
 }
 
 /// How n segments are cut into blocks.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, Serialize)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, Serialize, Deserialize)]
 #[serde(rename_all = "kebab-case")]
 pub enum Blocks {
     /// So many segments each.
@@ -34,7 +34,7 @@ pub enum Blocks {
 }
 
 /// A sample of a block.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, Serialize)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, Serialize, Deserialize)]
 #[serde(rename_all = "kebab-case")]
 pub enum At {
     /// The first one.
@@ -46,7 +46,7 @@ pub enum At {
 }
 
 /// What becomes of a sample at a seam.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, Serialize)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, Serialize, Deserialize)]
 #[serde(rename_all = "kebab-case")]
 pub enum Effect {
     /// It is left out.
@@ -58,7 +58,7 @@ pub enum Effect {
 }
 
 /// Blocks whose samples are concerned.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, Serialize)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, Serialize, Deserialize)]
 #[serde(rename_all = "kebab-case")]
 pub enum Which {
     /// All of them.

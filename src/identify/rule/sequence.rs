@@ -1,10 +1,10 @@
 //! Which samples are taken, and in what order.
 
 use super::Seam;
-use serde::Serialize;
+use serde::{Deserialize, Serialize};
 
 /// What becomes of the sample at an end.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash, Serialize)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash, Serialize, Deserialize)]
 #[serde(rename_all = "kebab-case")]
 pub enum End {
     /// It counts once.
@@ -17,7 +17,7 @@ pub enum End {
 }
 
 /// How long the segment is that one sample too many stands for.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, Serialize)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, Serialize, Deserialize)]
 #[serde(rename_all = "kebab-case")]
 pub enum Extra {
     /// The step.
@@ -27,7 +27,7 @@ pub enum Extra {
 }
 
 /// What is done with a last segment that is shorter than the others.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash, Serialize)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash, Serialize, Deserialize)]
 #[serde(rename_all = "kebab-case")]
 pub enum LastStep {
     /// It has its own length.
@@ -42,7 +42,7 @@ pub enum LastStep {
 }
 
 /// The samples of n segments, by index, in the order in which they are taken.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, Serialize)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, Serialize, Deserialize)]
 pub struct Sequence {
     /// Of the first one.
     pub first: End,

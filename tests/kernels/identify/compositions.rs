@@ -1,6 +1,6 @@
 //! Random compositions of faults: what is named is what was composed, or nothing.
 
-use super::composed::{OfRule, law, plain};
+use super::composed::{law, of_rule, plain};
 use std::time::Duration;
 use volver::identify::rule::{
     At, Blocks, Curve, Depth, Effect, End, Extra, LastStep, Place, Power, Scale, Scheme, Seam,
@@ -317,7 +317,7 @@ fn named_with(
         let mut random = Random(seed * 7_919 + faults as u64);
         let (mut rule, names) = composed(faults, &mut random);
         more(&mut rule, &mut random);
-        let mut kernel = OfRule::new(rule.clone());
+        let mut kernel = of_rule(rule.clone());
         let found = identify(&mut kernel, budget, &mut |_| ());
         let Some(named) = found.named() else {
             let reason = found.not_identified.last().map(|part| part.reason.as_str());

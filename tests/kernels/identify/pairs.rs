@@ -1,6 +1,6 @@
 //! Rules that differ on few rays only: the hold-out of one tells the other.
 
-use super::composed::{OfRule, law, plain};
+use super::composed::{law, of_rule, plain};
 use volver::identify::rule::{
     At, Blocks, Effect, End, Extra, LastStep, Output, Place, Power, Seam, Series, Stop, StopBy,
     Wall, Weight, Which, Whole,
@@ -229,7 +229,7 @@ fn pairs() -> Vec<(&'static str, Rule, Rule)> {
 }
 
 fn holds(kernel: &Rule, rule: &Rule) -> bool {
-    let mut kernel = OfRule::new(kernel.clone());
+    let mut kernel = of_rule(kernel.clone());
     let found = held_out(&mut kernel, rule, Budget::default(), &mut |_| ()).unwrap();
     // Of negative emissions too, on which a rule may fail and be named.
     found.is_whole() && found.kinds.iter().all(Kind::holds)
