@@ -12,6 +12,8 @@ def intensity(depths, source):
     n = len(depths)
     phase = np.zeros((n, 2))
     phase[:, 0] = 1.0
+    # It divides by the larger of the first and the last layer's source, and is NaN where both are 0.
+    source = np.where(source == 0.0, 1e-100, source)
     # Depths are vertical: along the stream they are 1/MU as large. No beam, nothing enters.
     bottoms = np.cumsum(MU * depths)
     *_, u0 = pydisort(bottoms, np.zeros(n), 2, phase, 0, 0, 0, s_poly_coeffs=source[:, None])[:4]
@@ -24,4 +26,5 @@ def render(task):
     return [intensity(depths, np.asarray(emission)) for emission in middles["emission"]]
 
 
-serve({"name": "PythonicDISORT", "form": "segments", "format": "f64", "method": "front-to-back/middle/expm1"}, render)
+declared = {"method": "front-to-back/middle/expm1", "emission": "positive"}
+serve({"name": "PythonicDISORT", "form": "segments", "format": "f64", **declared}, render)
