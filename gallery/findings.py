@@ -22,6 +22,8 @@ def found(packages, verified, identified, gradient):
     }
     if packages:
         document["packages"] = packages
+    if batch := verified.get("batch"):
+        document["batch"] = {key: batch.get(key) for key in ["rays", "differ", "name", "does"]}
     document |= rule(identified or {})
     if gradient is not None:
         document["gradients"] = {key: gradient.get(key) for key in ["conclusion", "counts", "orders"]}

@@ -19,8 +19,8 @@ LINK = re.compile(r"(\]\()([^()\s]+)(\))")
 LANGUAGES = {".c": "c", ".h": "c", ".py": "python", ".rs": "rust", ".toml": "toml", ".sh": "bash", ".json": "json", ".yml": "yaml"}
 # The reference, in the order of a reader who comes to it from the tutorials.
 REFERENCE = [
-    "verify", "identify", "verdicts", "gradient", "protocol", "commands", "report", "study", "tradeoff", "scenes", "cases",
-    "nonsmooth", "stress", "scale", "trust", "benchmarks", "architecture", "contributing",
+    "verify", "identify", "gallery", "verdicts", "gradient", "protocol", "commands", "report", "study", "tradeoff", "scenes", "cases",
+    "nonsmooth", "stress", "scale", "python", "trust", "benchmarks", "architecture", "contributing",
 ]  # fmt: skip
 MOST = 30
 TUTORIALS = ["python", "cpp", "rust", "which-error", "how-many-bits", "gradients", "ci"]

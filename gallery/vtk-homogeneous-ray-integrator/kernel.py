@@ -36,4 +36,4 @@ def render(task):
 
 
 # The guess: "homogeneous" takes a segment's mean.
-serve({"name": "VTK homogeneous", "form": "segments", "format": "f32", "order": 2}, render)
+serve({"name": "VTK homogeneous", "form": "segments", "format": "f32", "method": "layers/mean"}, render)

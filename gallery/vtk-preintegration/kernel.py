@@ -35,4 +35,4 @@ def render(task):
     return {"radiance": radiance, "opacity": color[3]}
 
 
-serve({"name": "VTK linear", "form": "segments", "format": "f32", "method": "layers/linear"}, render)
+serve({"name": "VTK linear", "form": "segments", "format": "f32", "order": 2, "sampling": "ends"}, render)
