@@ -2,7 +2,7 @@
 
 HEAD = """# What real packages compute
 
-What volver says of public packages, each at the version that is pinned, driven through its public interface by a kernel of about 40 lines in [`gallery`](../gallery/README.md). A guess was written down before the first run; then the package was asked, and its source was read by hand. `make gallery` installs each and asks it again; this page is made of `row.toml` and `expected.json` in its folder.
+What volver says of public packages, each at the version that is pinned, driven through its public interface by a kernel of about 40 lines in [`gallery`](../gallery/README.md). A guess was written down before the kernel's last form, or says that it came later; few were blind, since some of these packages had been driven before. Then the package was asked, and its source was read by hand, in a copy of its repository where the wheel has none, unless the row says otherwise. Where a row has levels of its own for gradients, they were chosen when the usual ones had shown no order. `make gallery` installs each and asks it again; this page is made of `row.toml` and `expected.json` in its folder.
 
 A kernel declares what one would guess, so that the deviations are those from the guess; [their names](identify.md#deviations) and [the verdicts](verdicts.md) have pages of their own. *Confirmed* counts channels of the catalogue's cases in which the order shows. A formula was held out against rays that it was not found with: how many of them it predicts to the digits of the package's format stands beside it. A formula says what was computed on rays of the kinds that were asked, through that kernel, and no more.
 """
