@@ -158,14 +158,9 @@ impl Journal {
         Ok(())
     }
 
-    /// Whether that unit is finished.
+    /// Case and format of all units that are finished.
     #[must_use]
-    pub fn has(&self, case: &str, format: &str) -> bool {
-        self.units.iter().any(|unit| name(unit) == (case, format))
-    }
-
-    /// Case and format of all that are.
-    pub(super) fn names(&self) -> HashSet<(&str, &str)> {
+    pub fn names(&self) -> HashSet<(&str, &str)> {
         self.units.iter().map(name).collect()
     }
 

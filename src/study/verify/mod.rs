@@ -8,6 +8,7 @@ mod background;
 #[cfg(feature = "studies")]
 mod baseline;
 mod beyond;
+mod error;
 mod expectation;
 mod explain;
 mod identified;
@@ -17,6 +18,7 @@ mod nominal;
 pub(crate) mod of_order;
 mod peer;
 mod peers;
+mod prepared;
 mod remark;
 mod scattered;
 mod seeds;
@@ -33,6 +35,7 @@ pub use accept::{Acceptance, Accepted, AcceptedError};
 #[cfg(feature = "studies")]
 pub use baseline::{Baseline, BaselineDeviation, BaselineError, BaselineLine, BaselinePart, Moved};
 pub use beyond::{Beyond, TakesOver};
+pub use error::VerifyError;
 pub use explain::Finding;
 pub use identified::{Identified, Identify};
 pub use line::{Failure, Line, Measured};
@@ -44,15 +47,11 @@ pub use standing::{Counts, Standing};
 
 use super::Progress;
 use crate::convergence::Verdict;
-use crate::identify::{OPACITY_ANSWERED, Silence, Spent, Together, together};
-use crate::kernel::{
-    Declaration, DeclarationError, Kernel, KernelError, Quantity, Subject, SubjectError,
-};
-use crate::reference::ReferenceError;
-use asked::Asked;
+use crate::identify::{OPACITY_ANSWERED, Spent, Together, together};
+use crate::kernel::{Declaration, Kernel, Quantity, Subject};
 use identified::{Ladder, identified};
+use prepared::Prepared;
 use seeds::Seeds;
-use std::num::NonZeroUsize;
 use std::time::Instant;
 
 /// A kernel that answers nothing on one case may answer on the next; on so many in a row, it does not.
@@ -286,50 +285,6 @@ fn missing<'a>(lines: impl Iterator<Item = &'a Line>) -> usize {
         .count()
 }
 
-/// What is asked of a kernel, as it takes it.
-struct Prepared {
-    declaration: Declaration,
-    settings: Settings,
-    subjects: Vec<Subject>,
-    /// Cases that it does not take.
-    left_out: Vec<String>,
-}
-
-impl Prepared {
-    fn new(
-        declaration: &Declaration,
-        subjects: &[Subject],
-        settings: &Settings,
-    ) -> Result<Prepared, VerifyError> {
-        declaration.check()?;
-        let settings = settings.suited(declaration)?;
-        if let (Some(count), Some(most)) = (settings.batch, declaration.batch)
-            && count > most.get()
-        {
-            return Err(VerifyError::Batch { count, most });
-        }
-        let subjects = background::before(subjects, declaration, &settings)?;
-        let (subjects, left_out) = left_out::sorted(subjects, declaration, &settings);
-        Ok(Prepared {
-            declaration: declaration.clone(),
-            settings,
-            subjects,
-            left_out,
-        })
-    }
-
-    /// Whether it is read off what it computes: rules are those of radiances.
-    fn identifies(&self) -> bool {
-        self.settings.identify != Identify::Off
-            && self.settings.axis == Axis::Step
-            && self.declaration.has(Quantity::Radiance)
-    }
-
-    fn asked<'a>(&'a self, subject: &'a Subject) -> Result<Asked<'a>, VerifyError> {
-        Asked::new(subject, &self.settings, &self.declaration)
-    }
-}
-
 /// Runs a kernel on all subjects; `shown` hears of every channel as soon as it is done.
 ///
 /// # Errors
@@ -423,91 +378,4 @@ pub fn verify(
     let scattered = scattered::findings(&verification);
     verification.findings.splice(0..0, scattered);
     Ok(verification)
-}
-
-/// What no verification can be made of.
-#[derive(Clone, Debug, PartialEq, thiserror::Error)]
-pub enum VerifyError {
-    /// The kernel is gone for good.
-    #[error(transparent)]
-    Gone(#[from] KernelError),
-    /// The kernel declares what cannot all be.
-    #[error(transparent)]
-    Declaration(#[from] DeclarationError),
-    /// The kernel takes what the ladder has not enough of.
-    #[error(transparent)]
-    Settings(#[from] SettingsError),
-    /// The ray of a case cannot be cut so.
-    #[error("{case}: {error}")]
-    Cut {
-        /// The case.
-        case: String,
-        /// Why.
-        error: crate::kernel::CutError,
-    },
-    /// A case has no reference.
-    #[error("{case}: {error}")]
-    Reference {
-        /// The case.
-        case: String,
-        /// Why.
-        error: ReferenceError,
-    },
-    /// More rays in one request than the kernel takes.
-    #[error("--batch {count} (allowed: 2 to {most}, as the kernel declares)")]
-    Batch {
-        /// How many were wanted.
-        count: usize,
-        /// How many it takes.
-        most: NonZeroUsize,
-    },
-    /// Many rays in one request have no answers, and alone neither.
-    #[error("--batch: {0}")]
-    Together(#[from] Silence),
-    /// A background that is none of the case.
-    #[error(transparent)]
-    Background(#[from] SubjectError),
-    /// The kernel wants what there is none of on this axis.
-    #[error("the kernel takes {form} (allowed with --axis grid: volume)")]
-    Axis {
-        /// The form it takes.
-        form: crate::kernel::FormKind,
-    },
-    /// The kernel is not given segments, or takes even ones alone.
-    #[error(
-        "the kernel takes {form} cut by itself or evenly (allowed with --spacing: segments, whatever their lengths)"
-    )]
-    Spacing {
-        /// The form it takes.
-        form: crate::kernel::FormKind,
-    },
-    /// The kernel answers nothing that is looked at on this axis.
-    #[error(
-        "the kernel answers no radiance (allowed with --axis grid: a radiance among its answers)"
-    )]
-    NoRadiance,
-    /// A formula without code.
-    #[error("{case}: {error}")]
-    Formula {
-        /// The case.
-        case: String,
-        /// Why.
-        error: crate::symbolic::CompileError,
-    },
-    /// Errors that no fit can take.
-    #[error("{case}: {error}")]
-    Fit {
-        /// The channel.
-        case: String,
-        /// Why.
-        error: crate::convergence::FitError,
-    },
-    /// Replicas that no fit can take.
-    #[error("{case}: {error}")]
-    Replicas {
-        /// The channel.
-        case: String,
-        /// Why.
-        error: crate::convergence::ReplicasError,
-    },
 }

@@ -11,7 +11,8 @@ pub use recorded::Recorded;
 pub use replayed::Replayed;
 
 use super::identified::examined;
-use super::{Identify, Prepared, Settings, VerifyError};
+use super::prepared::Prepared;
+use super::{Identify, Settings, VerifyError};
 use crate::identify::together;
 use crate::kernel::{Kernel, Subject};
 use crate::study::Progress;
