@@ -48,6 +48,8 @@ pub mod confirm;
 pub mod convergence;
 pub mod document;
 pub mod identify;
+#[cfg(feature = "studies")]
+pub mod image;
 pub mod input;
 #[doc(hidden)]
 pub mod inside;
@@ -65,3 +67,5 @@ pub mod report;
 pub mod scene;
 pub mod study;
 pub mod symbolic;
+#[cfg(feature = "studies")]
+pub mod volume;
