@@ -27,7 +27,7 @@ not found with; what could not be read off is shown as it was measured. Deviatio
 those from the rule of the same places without faults. docs/identify.md says more.
 
 The exit code is 0 where a rule is identified and does not deviate; 1 where it deviates,
-nothing could be named or --against finds a difference; 2 where it could not run.
+nothing or not all could be named or --against finds a difference; 2 where it could not run.
 
 Work: at most RAYS rays, as many again for a witness and three times as many with
 --against, of up to 1210 segments; a program has --timeout for each answer. A bar on the

@@ -29,11 +29,11 @@ pub struct Examined {
 /// What an examination comes to.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Verdict {
-    /// A rule was identified, and does not deviate.
+    /// A rule was identified to the last part, and does not deviate.
     Right,
     /// A rule was identified, or a part of it, and deviates.
     Deviates,
-    /// No rule was identified.
+    /// No rule was identified, or a part of what is computed was not.
     NotIdentified,
     /// There was no answer at all.
     NoAnswer,
@@ -69,9 +69,9 @@ impl Examined {
             Verdict::NoAnswer
         } else if !self.deviations.is_empty() {
             Verdict::Deviates
-        } else if self.found.named().is_some()
-            || self.found.method.is_some()
-            || self.found.scattered.is_some()
+        } else if self.found.method.is_some()
+            || (self.found.not_identified.is_empty()
+                && (self.found.named().is_some() || self.found.scattered.is_some()))
         {
             Verdict::Right
         } else {

@@ -10,6 +10,7 @@ mod against;
 mod channels;
 mod covered;
 mod curves;
+mod depths;
 mod deviation;
 mod ends;
 mod examined;

@@ -5,6 +5,7 @@ use super::deviation::right_of;
 use super::ends::{self, Lone, Vacuum};
 use super::exponential::exponential;
 use super::influence::{self, Influence};
+use super::number::simplest;
 use super::opacity::{self, measure::Measurer};
 use super::output::Mapped;
 use super::places::{self, Places, Samples};
@@ -14,8 +15,8 @@ use super::state::Name;
 use super::transmittance::transmittance;
 use super::weights::Answers;
 use super::{
-    Bracket, Identification, NotIdentified, Parameter, VacuumFails, channels, free_places, holdout,
-    output, pose, scattered, seams, segment, state, volume,
+    Bracket, Identification, NotIdentified, Parameter, VacuumFails, channels, depths, free_places,
+    holdout, output, pose, scattered, seams, segment, state, volume,
 };
 use crate::kernel::FormKind;
 
@@ -139,11 +140,11 @@ fn read(
         ..Rule::default()
     };
     let mut sampled = match places::places(session, &answers, even)? {
-        Places::Several(last) => several(session, mapped, &base, last)?,
+        Places::Several(last) => several(session, mapped, &base, last, found)?,
         Places::Samples(samples) => {
             found.parts.place = Some(samples.place);
             match influence::influence(session, &answers, even, &samples)? {
-                Influence::Several => several(session, mapped, &base, End::Once)?,
+                Influence::Several => several(session, mapped, &base, End::Once, found)?,
                 Influence::Own { whole } => {
                     let measurer = Measurer {
                         answers: &answers,
@@ -250,6 +251,7 @@ fn several(
     mapped: &Mapped,
     base: &Rule,
     last: End,
+    found: &mut Identification,
 ) -> Result<Sampled, NotIdentified> {
     let answers = &mapped.answers;
     let (scheme, wall) = segment::segments(session, answers, last)?;
@@ -264,6 +266,8 @@ fn several(
     let has_vacuum = !vacuum.whole_fails;
     let behind = ends::behind(session, answers, 1.0 / 8.0, &rule, has_vacuum, &known)?;
     (rule.background, rule.offset) = (behind.background, behind.offset);
+    let other = depths::other_depths(session, &rule, answers)?;
+    found.not_identified.extend(other);
     Ok(Sampled {
         rule,
         grain: 0.0,
@@ -289,7 +293,8 @@ fn one_sample(
         ..measurer.clone()
     };
     let reference = measured.reference(0.25).map_or(0.125, |r| r.extinction);
-    let vacuum = ends::vacuum(session, measurer, reference)?;
+    let mut vacuum = ends::vacuum(session, measurer, reference)?;
+    found.not_identified.extend(vacuum.odd.take());
     let fitted = opacity::law(session, measurer, &measured, vacuum.eps)?;
     let law: Law = fitted.law;
     let brackets = &mut found.brackets;
@@ -328,6 +333,10 @@ fn one_sample(
         }
         if matches!(walled.wall, Wall::Length(_)) {
             keep(Parameter::Wall, walled.bracket);
+        }
+        if let (Some(border), Scheme::Sample { law, .. }) = (walled.skips, &mut rule.scheme) {
+            keep(Parameter::SkipExtinction, border);
+            law.range.skip_extinction = Some(simplest(border.0, border.1));
         }
     }
     if let Some(early) = ends::early_end(session, &lone)? {

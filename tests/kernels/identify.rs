@@ -5,6 +5,7 @@ mod command;
 mod composed;
 mod compositions;
 mod deviation;
+mod edges;
 mod examined;
 mod exponential;
 mod forms;

@@ -6,6 +6,7 @@ use crate::identify::opacity::measure::Measurer;
 use crate::identify::ray::{Emission, Layers};
 use crate::identify::session::Session;
 use crate::identify::silence::Silence;
+use crate::identify::weights::Measured;
 
 /// What empty segments do.
 #[derive(Clone, Debug, Default)]
@@ -20,10 +21,16 @@ pub(in crate::identify) struct Vacuum {
     pub(in crate::identify) part_fails: bool,
     /// A ray that holds nothing, and its answer without emission.
     pub(in crate::identify) dark: Option<(Layers, f64)>,
+    /// Empty segments let through other than all, and it is not known why.
+    pub(in crate::identify) odd: Option<NotIdentified>,
 }
 
 /// Empty segments of the ray that shows what they let through.
 const EMPTY: usize = 57;
+/// The same where they let through all but a unit.
+const MANY: usize = 2_000;
+/// The depth of a segment that lets nothing through.
+const OPAQUE: f64 = 1e3;
 
 /// A ray of nothing, one with an empty segment, and one with 57.
 pub(in crate::identify) fn vacuum(
@@ -72,8 +79,66 @@ pub(in crate::identify) fn vacuum(
     if eps.abs() > 3.0 * error && eps.abs() < 1e-2 {
         vacuum.bracket = (eps - error, eps + error);
         vacuum.eps = simplest(eps - error, eps + error);
+    } else if measurer.answers.noise == 0.0
+        && !session.is_short()
+        && session.most_samples > MANY + 6
+    {
+        grown(session, measurer, tau, &mut vacuum);
     }
     Ok(vacuum)
+}
+
+/// What is added by a unit or two of the format: rounding leaves nothing of a product with 1, so that what thousands of empty
+/// segments let through together is all but exact. It is named where an opaque segment lets as much through.
+fn grown(session: &mut Session<'_>, measurer: &Measurer<'_>, tau: f64, vacuum: &mut Vacuum) {
+    let n = measurer.suitable(session, MANY + 6);
+    let mut taus = vec![0.0; n];
+    for k in [0, 1, 2, n - 3, n - 2, n - 1] {
+        taus[k] = tau;
+    }
+    let tells = |k: usize| k == 1 || k == 2 || k + 2 == n;
+    let Ok(w) = measurer.some_weights(session, &taus, 0.25, &tells) else {
+        return;
+    };
+    let unit = measurer.answers.unit;
+    let part = |k: usize| w[k].error / w[k].value;
+    let through = w[2].value / w[1].value;
+    let count = (n - 6) as f64;
+    let growth = (w[n - 2].value / w[1].value / through.powi(3)).powf(1.0 / count) - 1.0;
+    let error = (part(n - 2)
+        + 16.0 * unit / (1.0 - through).abs().max(1e-3)
+        + 4.0 * part(1)
+        + 3.0 * part(2))
+        / count;
+    let is_grown = growth.abs() > 3.0 * error && growth.abs() < 1e-2;
+    if !is_grown || through.is_nan() {
+        return;
+    }
+    let mut taus = vec![tau; measurer.suitable(session, 8)];
+    taus[2] = OPAQUE / 0.25;
+    let leak = match measurer.weights(session, &taus, 0.25) {
+        // Behind the reference and what is opaque.
+        Ok(w) => Measured {
+            value: w[3].value / w[1].value / through,
+            error: w[3].error / w[1].value + 16.0 * unit * (w[3].value / w[1].value).abs(),
+        },
+        Err(_) => Measured {
+            value: 0.0,
+            error: 0.0,
+        },
+    };
+    // 1 + eps is rounded, and every product with it.
+    let rounded = 4.0 * unit + 0.5 * growth.abs();
+    if leak.value > 3.0 * leak.error && (leak.value - growth).abs() <= rounded {
+        vacuum.bracket = (leak.value - leak.error, leak.value + leak.error);
+        vacuum.eps = simplest(vacuum.bracket.0, vacuum.bracket.1);
+    } else {
+        let reason = format!(
+            "{count} empty segments together let through {:.6} of the light, and it is not known why",
+            (count * growth.ln_1p()).exp()
+        );
+        vacuum.odd = Some(NotIdentified::new(reason));
+    }
 }
 
 /// The answer to no emission, where light along a medium has a finite answer.

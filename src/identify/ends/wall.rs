@@ -23,7 +23,91 @@ pub(in crate::identify) struct Walled {
     pub(in crate::identify) bracket: (f64, f64),
     /// The factor of rays that it lets through; `None` where it lets none through, or the factor is no known one.
     pub(in crate::identify) whole: Option<Whole>,
+    /// Between these extinctions lies one under which samples hold nothing: where the wall is opaque it shows that.
+    pub(in crate::identify) skips: Option<(f64, f64)>,
 }
+
+/// The last sample's extinction, what part of the light before it it weighs, and how far that may be off.
+type Part = (f64, f64, f64);
+
+/// Rays that end before a wall.
+struct Asker<'a> {
+    lone: &'a Lone<'a>,
+    /// Segments.
+    n: usize,
+    /// The place of the last sample.
+    last: usize,
+    /// One sample too many stands before the wall.
+    is_extra: bool,
+}
+
+/// The length of segments.
+const LENGTH: f64 = 0.25;
+
+impl Asker<'_> {
+    /// What the last sample weighs; and the factor of the whole ray where it holds nothing.
+    fn part(
+        &self,
+        session: &mut Session<'_>,
+        extinction: f64,
+    ) -> Result<(Part, Option<Whole>), NotIdentified> {
+        let lone = self.lone;
+        let tau = lone.reference(LENGTH);
+        let mut taus = vec![tau; self.n + usize::from(self.is_extra)];
+        taus[self.last] = extinction;
+        let w = if self.is_extra {
+            with_extra(session, lone, &taus, LENGTH)?
+        } else {
+            lone.measurer.weights(session, &taus, LENGTH)?
+        };
+        // The one before the last weighs T α, and T p stands before the last.
+        let (weight, passes) = lone.of(tau, LENGTH, self.n as f64 * LENGTH);
+        let (own, near) = (w[self.last], w[self.last - 1]);
+        let before = near.value / weight * passes * lone.law.scale.0;
+        let error = (own.error + near.error / weight) / before;
+        let open = if extinction == 0.0 {
+            whole_of(lone, &w, &taus, LENGTH)
+        } else {
+            None
+        };
+        Ok(((extinction, own.value / before, error), open))
+    }
+
+    /// Between which extinctions the last sample ceases to weigh all and weighs nothing; `None` where there is something
+    /// between.
+    fn border(
+        &self,
+        session: &mut Session<'_>,
+        full: &[Part],
+        is_one: impl Fn(&Part) -> bool,
+        is_none: impl Fn(&Part) -> bool,
+    ) -> Result<Option<(f64, f64)>, NotIdentified> {
+        let ones = full.iter().take_while(|part| is_one(part)).count();
+        let (all, nothing) = full.split_at(ones);
+        let (Some(all), Some(first)) = (all.last(), nothing.first()) else {
+            return Ok(None);
+        };
+        if !nothing.iter().all(&is_none) {
+            return Ok(None);
+        }
+        let (mut low, mut high) = (first.0, all.0);
+        for _ in 0..HALVINGS {
+            let middle = (low * high).sqrt();
+            let (part, _) = self.part(session, middle)?;
+            if is_one(&part) {
+                high = middle;
+            } else if is_none(&part) {
+                low = middle;
+            } else {
+                return Ok(None);
+            }
+        }
+        Ok(Some((low, high)))
+    }
+}
+
+/// Rays by which a border is found.
+const HALVINGS: usize = 24;
 
 /// The factor of the whole ray where its last segment holds nothing: behind a wall the opacity is 1 and shows none.
 fn whole_of(lone: &Lone<'_>, w: &[Measured], taus: &[f64], length: f64) -> Option<Whole> {
@@ -78,9 +162,7 @@ pub(in crate::identify) fn wall(
     lone: &Lone<'_>,
 ) -> Result<Walled, NotIdentified> {
     let n = lone.measurer.suitable(session, SEGMENTS);
-    let length = 0.25;
-    let tau = lone.reference(length);
-    let ray = n as f64 * length;
+    let ray = n as f64 * LENGTH;
     let sequence = &lone.measurer.samples.sequence;
     // One sample too many at the front of segments is the one that stands before the wall.
     let is_extra = lone.measurer.samples.place == Place::Front && sequence.extra.is_some();
@@ -94,25 +176,18 @@ pub(in crate::identify) fn wall(
     } else {
         n - 1 - usize::from(sequence.last == End::Missing)
     };
-    let mut parts: Vec<(f64, f64, f64)> = Vec::new();
+    let asker = Asker {
+        lone,
+        n,
+        last,
+        is_extra,
+    };
+    let mut parts = Vec::new();
     let mut open = None;
     for &extinction in extinctions(session) {
-        let mut taus = vec![tau; n + usize::from(is_extra)];
-        taus[last] = extinction;
-        let w = if is_extra {
-            with_extra(session, lone, &taus, length)?
-        } else {
-            lone.measurer.weights(session, &taus, length)?
-        };
-        // The one before the last weighs T α, and T p stands before the last.
-        let (weight, passes) = lone.of(tau, length, ray);
-        let before = w[last - 1].value / weight * passes * lone.law.scale.0;
-        let part = w[last].value / before;
-        let error = (w[last].error + w[last - 1].error / weight) / before;
-        if extinction == 0.0 {
-            open = whole_of(lone, &w, &taus, length);
-        }
-        parts.push((extinction, part, error));
+        let (part, whole) = asker.part(session, extinction)?;
+        open = open.or(whole);
+        parts.push(part);
     }
     let rows = parts
         .iter()
@@ -122,38 +197,60 @@ pub(in crate::identify) fn wall(
         NotIdentified::new("the last sample weighs more than its segment, by no known law")
             .with_rows(&["its extinction", "its weight", "error"], rows);
     let slack = 1e-6 + 64.0 * lone.measurer.answers.unit;
-    let is_one = |(_, part, error): &(f64, f64, f64)| (part - 1.0).abs() <= 3.0 * error + slack;
-    let is_none = |(_, part, error): &(f64, f64, f64)| part.abs() <= 3.0 * error + slack;
+    let is_one = |(_, part, error): &Part| (part - 1.0).abs() <= 3.0 * error + slack;
+    let is_none = |(_, part, error): &Part| part.abs() <= 3.0 * error + slack;
     let none = (0.0, 0.0);
     if parts.iter().all(is_one) {
         return Ok(Walled {
             wall: Wall::LastEmission,
             bracket: none,
             whole: None,
+            skips: None,
         });
     }
     // The last holds nothing.
     let Some((empty, full)) = parts.split_last() else {
         return Err(failed);
     };
+    let opaque = Walled {
+        wall: Wall::Opaque,
+        bracket: none,
+        whole: open,
+        skips: None,
+    };
     if full.iter().all(is_one) && is_none(empty) {
+        return Ok(opaque);
+    }
+    if is_none(empty)
+        && lone.law.range.skip_extinction.is_none()
+        && let Some(border) = asker.border(session, full, is_one, is_none)?
+    {
         return Ok(Walled {
-            wall: Wall::Opaque,
-            bracket: none,
-            whole: open,
+            skips: Some(border),
+            ..opaque
         });
     }
     // A length: the same wherever it can be told.
-    if !is_none(empty) {
-        return Err(failed);
-    }
-    let of = |tau: f64, length: f64| lone.of(tau, length, ray).0 / lone.law.scale.0;
-    let told = full
-        .iter()
-        .filter(|(_, part, _)| *part > 1e-3 && *part < 0.999);
-    let Some((tau, part, error)) = told.clone().next() else {
+    let length = is_none(empty).then(|| length(lone, ray, full)).flatten();
+    let Some((length, bracket)) = length else {
         return Err(failed);
     };
+    Ok(Walled {
+        wall: Wall::Length(length),
+        bracket,
+        whole: open,
+        skips: None,
+    })
+}
+
+/// The length of a wall by what parts of the light its sample weighs, between what it lies; `None` where no length explains
+/// all.
+fn length(lone: &Lone<'_>, ray: f64, full: &[Part]) -> Option<(f64, (f64, f64))> {
+    let of = |tau: f64, length: f64| lone.of(tau, length, ray).0 / lone.law.scale.0;
+    let mut told = full
+        .iter()
+        .filter(|(_, part, _)| *part > 1e-3 && *part < 0.999);
+    let (tau, part, error) = told.next()?;
     let reach = |part: f64| {
         let (mut low, mut high) = (1e-6_f64, 1e18_f64);
         for _ in 0..120 {
@@ -166,18 +263,11 @@ pub(in crate::identify) fn wall(
         }
         high
     };
-    let width = 3.0 * error + 1e-9 + 64.0 * lone.measurer.answers.unit;
+    let unit = lone.measurer.answers.unit;
+    let width = 3.0 * error + 1e-9 + 64.0 * unit;
     let bracket = (reach(part - width), reach(part + width));
     let length = simplest(bracket.0, bracket.1);
-    let fits = |(tau, part, error): &(f64, f64, f64)| {
-        (of(*tau, length) - part).abs() <= 3.0 * error + slack
-    };
-    if !full.iter().all(fits) {
-        return Err(failed);
-    }
-    Ok(Walled {
-        wall: Wall::Length(length),
-        bracket,
-        whole: open,
-    })
+    let slack = 1e-6 + 64.0 * unit;
+    let fits = |(tau, part, error): &Part| (of(*tau, length) - part).abs() <= 3.0 * error + slack;
+    full.iter().all(fits).then_some((length, bracket))
 }

@@ -111,13 +111,23 @@ impl Measurer<'_> {
         length: f64,
         wanted: &dyn Fn(usize) -> bool,
     ) -> Result<Vec<Measured>, NotIdentified> {
-        let n = taus.len();
+        let is_narrow = session.is_narrow();
+        self.some_weights(session, taus, length, &|k| !is_narrow || wanted(k))
+    }
+
+    /// The same of those that are `wanted`, of a ray of more samples than a request has channels for.
+    pub(in crate::identify) fn some_weights(
+        &self,
+        session: &mut Session<'_>,
+        taus: &[f64],
+        length: f64,
+        wanted: &dyn Fn(usize) -> bool,
+    ) -> Result<Vec<Measured>, NotIdentified> {
         let (layers, nodes) = self.samples_of(taus, length);
-        let is_asked = |k: &usize| !session.is_narrow() || wanted(*k);
-        let asked: Vec<(usize, Node)> = nodes.into_iter().filter(|(k, _)| is_asked(k)).collect();
+        let asked: Vec<(usize, Node)> = nodes.into_iter().filter(|(k, _)| wanted(*k)).collect();
         let nodes: Vec<Node> = asked.iter().map(|(_, node)| *node).collect();
         let found = weights(session, self.answers, &layers, &nodes, &[])?;
-        let mut of = vec![UNKNOWN; n];
+        let mut of = vec![UNKNOWN; taus.len()];
         for ((k, _), w) in asked.iter().zip(&found.of) {
             of[*k] = *w;
         }

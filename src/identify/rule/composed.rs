@@ -230,7 +230,13 @@ impl Rule {
         let Some(node) = last.adds.last().map(|(node, _)| *node) else {
             return;
         };
-        let absorbs = extinction(ray, node).is_some_and(|tau| tau > 0.0);
+        // What is skipped absorbs nothing.
+        let least = match &self.scheme {
+            Scheme::Sample { law, .. } => law.range.skip_extinction,
+            Scheme::Segments { .. } => None,
+        };
+        let counts = |tau: f64| tau > 0.0 && least.is_none_or(|least| tau >= least);
+        let absorbs = extinction(ray, node).is_some_and(counts);
         // A factor of all weights is one of the wall's, too.
         let weight = format.binary64(self.scheme.scale());
         match self.wall {

@@ -26,12 +26,15 @@ pub(super) fn conclusion(examined: &Examined) -> String {
                 format!("{}{}", deviation.name, value.unwrap_or_default())
             });
             let all = all.collect::<Vec<_>>().join(", ");
-            if named {
+            if named && found.not_identified.is_empty() {
                 format!("The rule is identified, and deviates: {all}")
+            } else if named {
+                format!("The rule is identified but for a part; what is known deviates: {all}")
             } else {
                 format!("The rule is not identified; what is known deviates: {all}")
             }
         }
+        Verdict::NotIdentified if named => "The rule is identified but for a part".into(),
         Verdict::NotIdentified => "The rule is not identified".into(),
         Verdict::NoAnswer => "The kernel does not answer".into(),
     }

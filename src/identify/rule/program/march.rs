@@ -122,10 +122,15 @@ fn put_wall(rule: &Rule, path: &Path, samples: &Samples, layer: Layer) -> Layer 
         (Some(Wall::Opaque), _) => {
             let mut all = path.inside.clone();
             all.extend(named(layer));
-            all.push(when(
-                format!("{} and {} > 0", path.is_last, samples.extinction),
-                opaque(),
-            ));
+            let least = match &rule.scheme {
+                Scheme::Sample { law, .. } => law.range.skip_extinction,
+                Scheme::Segments { .. } => None,
+            };
+            let absorbs = match least {
+                Some(least) => format!("{} >= {}", samples.extinction, number(least)),
+                None => format!("{} > 0", samples.extinction),
+            };
+            all.push(when(format!("{} and {absorbs}", path.is_last), opaque()));
             all
         }
         (_, Some(is_sample)) => {
