@@ -12,6 +12,8 @@ mod sine_squared;
 mod structure;
 mod symbolic;
 mod unproved;
+#[cfg(feature = "studies")]
+pub mod volume;
 
 pub use counted::CountedCase;
 pub use file::{ChannelDescription, Description, FileError, FileProblem, Recipe};

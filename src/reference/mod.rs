@@ -10,10 +10,14 @@ mod closed_form;
 pub(crate) mod enclosure;
 mod error;
 mod medium;
+#[cfg(feature = "studies")]
+mod picture;
 mod spectral;
 
 pub use enclosure::NotEnclosed;
 pub use error::ReferenceError;
+#[cfg(feature = "studies")]
+pub use picture::{ExactPicture, Seen};
 pub use spectral::Work;
 
 use crate::case::{Case, SymbolicCase, Unproved};

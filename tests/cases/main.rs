@@ -19,3 +19,4 @@ mod proofs;
 mod scene;
 mod symbolic;
 mod truths;
+mod volume;
