@@ -18,6 +18,8 @@ const POINTS: u32 = 12;
 const TOLERANCE: f64 = 1e-14;
 /// How often a panel is halved.
 const HALVINGS: u32 = 24;
+/// Points along a side of pixels that are moved.
+const MOVED_POINTS: u32 = 4;
 /// Beyond this depth nothing is seen in binary64.
 const DEEPEST: f64 = 800.0;
 
@@ -112,16 +114,22 @@ impl<'c> ExactPicture<'c> {
             return self.centres(size);
         };
         let channels = self.case.transfer.channels.len();
+        self.picture(size, |ray| mean(&rule, channels, |at| ray(at)))
+    }
+
+    /// The picture of the rays through places moved by so many pixels to the right and down; of pixels' means with
+    /// `means`.
+    #[must_use]
+    pub fn moved(&self, size: [usize; 2], [right, down]: [f64; 2], means: bool) -> Image {
+        if !means {
+            return self.picture(size, |ray| ray([0.5 + right, 0.5 + down]));
+        }
+        let channels = self.case.transfer.channels.len();
+        let Some(rule) = collocation(MOVED_POINTS, Native::<f64>::new()).ok() else {
+            return self.centres(size);
+        };
         self.picture(size, |ray| {
-            let mut mean = vec![0.0; channels];
-            for (x, across) in rule.nodes.iter().zip(&rule.weights) {
-                for (y, down) in rule.nodes.iter().zip(&rule.weights) {
-                    for (sum, one) in mean.iter_mut().zip(ray([*x, *y])) {
-                        *sum += across * down * one;
-                    }
-                }
-            }
-            mean
+            mean(&rule, channels, |[x, y]| ray([x + right, y + down]))
         })
     }
 
@@ -208,6 +216,19 @@ impl<'c> ExactPicture<'c> {
     fn channels(&self) -> usize {
         self.case.transfer.channels.len()
     }
+}
+
+/// The mean over a pixel by the rule's points along each side.
+fn mean(rule: &Collocation<f64>, channels: usize, ray: impl Fn([f64; 2]) -> Vec<f64>) -> Vec<f64> {
+    let mut mean = vec![0.0; channels];
+    for (x, across) in rule.nodes.iter().zip(&rule.weights) {
+        for (y, down) in rule.nodes.iter().zip(&rule.weights) {
+            for (sum, one) in mean.iter_mut().zip(ray([*x, *y])) {
+                *sum += across * down * one;
+            }
+        }
+    }
+    mean
 }
 
 fn joined(near: &Panel, far: &Panel) -> Panel {

@@ -9,6 +9,8 @@ pub mod gradient;
 #[cfg(feature = "studies")]
 pub mod nonsmooth;
 #[cfg(feature = "studies")]
+pub mod picture;
+#[cfg(feature = "studies")]
 pub mod plan;
 #[cfg(feature = "studies")]
 pub mod reproduce;

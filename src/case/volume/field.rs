@@ -144,6 +144,22 @@ impl Field {
         }
     }
 
+    /// The same field moved by a vector.
+    #[must_use]
+    pub fn moved(&self, by: [f64; 3]) -> Field {
+        let to = |center: &[f64; 3]| [0, 1, 2].map(|axis| center[axis] + by[axis]);
+        let mut field = self.clone();
+        match &mut field.shape {
+            Shape::Ramp { slope } => field.offset -= field.height * dot(*slope, by),
+            Shape::Wave { wave, phase } => *phase -= dot(*wave, by),
+            Shape::Kink { normal, place } => *place += dot(*normal, by),
+            Shape::Radial { center } | Shape::Blob { center, .. } | Shape::Jump { center, .. } => {
+                *center = to(center);
+            }
+        }
+        field
+    }
+
     /// Whether it is smooth everywhere in space, but perhaps at single points.
     #[must_use]
     pub fn is_smooth(&self) -> bool {
