@@ -43,6 +43,8 @@
 //! ```
 
 pub mod assert;
+#[cfg(feature = "studies")]
+mod binary;
 pub mod case;
 pub mod confirm;
 pub mod convergence;
@@ -55,6 +57,8 @@ pub mod input;
 pub mod inside;
 pub mod kernel;
 pub mod method;
+#[cfg(feature = "studies")]
+mod output;
 mod parallel;
 #[cfg(feature = "studies")]
 pub mod proof;

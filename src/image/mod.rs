@@ -1,5 +1,7 @@
 //! Pictures of radiance: numbers, not colours.
 
+pub mod file;
+
 /// A picture: rows from the upper edge down, each from left to right, the channels of a pixel side by side.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Image {

@@ -3,8 +3,9 @@
 use super::html::place;
 use super::{ReportError, csv, latex, markdown, svg};
 use crate::document::{Block, Document, Medium};
+use crate::output;
 use std::fs;
-use std::io::{self, Write};
+use std::io;
 use std::path::{Path, PathBuf};
 
 /// Writes a document into `dir`, which is made where it does not exist: its figures and maps as SVG, `data` (names of files
@@ -61,45 +62,17 @@ fn write_files(
     written.collect()
 }
 
-/// Writes a file whole: into a temporary file beside it, which then takes its name.
-///
-/// A reader sees the old contents or the new ones; after a failure the old ones stay and nothing
-/// else is left behind. A new file is readable by everybody that the directory lets in, an old one
-/// keeps its permissions. Special files (`/dev/stdout`, a pipe) cannot be replaced: they are
-/// written to directly.
+/// Writes a file whole, in place of the old one: a reader sees the old contents or the new ones, and after a failure
+/// the old ones stay.
 ///
 /// # Errors
 ///
 /// [`ReportError::File`] with the path and the system's reason.
 pub fn write_file(path: &Path, contents: impl AsRef<[u8]>) -> Result<(), ReportError> {
-    replace(path, contents.as_ref()).map_err(|reason| ReportError::File {
-        path: path.into(),
-        reason,
+    output::replace(path, |file| file.write_all(contents.as_ref())).map_err(|reason: io::Error| {
+        ReportError::File {
+            path: path.into(),
+            reason,
+        }
     })
-}
-
-fn replace(path: &Path, contents: &[u8]) -> io::Result<()> {
-    // A link stays a link: what it leads to is replaced.
-    let target = fs::canonicalize(path).unwrap_or_else(|_| path.to_path_buf());
-    let old = fs::metadata(&target).ok();
-    if old.as_ref().is_some_and(|m| !m.is_file() && !m.is_dir()) {
-        return fs::write(&target, contents);
-    }
-    let parent = match target.parent() {
-        Some(parent) if !parent.as_os_str().is_empty() => parent,
-        _ => Path::new("."),
-    };
-    let mut builder = tempfile::Builder::new();
-    builder.prefix(".volver-");
-    // Temporary files are private otherwise; the process's mask still applies.
-    #[cfg(unix)]
-    builder.permissions(std::os::unix::fs::PermissionsExt::from_mode(0o666));
-    let mut file = builder.tempfile_in(parent)?;
-    file.write_all(contents)?;
-    if let Some(old) = old {
-        file.as_file().set_permissions(old.permissions())?;
-    }
-    file.as_file().sync_all()?;
-    file.persist(&target)?;
-    Ok(())
 }

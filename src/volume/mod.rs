@@ -3,6 +3,7 @@
 //! The field between samples is what a renderer makes of it; `raycast` and `case::volume` stand to the right.
 
 mod camera;
+pub mod file;
 mod grid;
 mod transfer;
 
