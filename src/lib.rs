@@ -63,6 +63,8 @@ mod parallel;
 #[cfg(feature = "studies")]
 pub mod proof;
 pub mod quadrature;
+#[cfg(feature = "studies")]
+pub mod raycast;
 pub mod real;
 pub mod reference;
 pub mod render;

@@ -15,6 +15,7 @@ mod gallery;
 mod gradient;
 mod gradient_test;
 mod identify;
+mod image;
 mod input;
 mod kernel;
 mod manufacture;
@@ -88,6 +89,7 @@ struct Arguments {
 pub(crate) enum Command {
     Verify(Box<verify::Verify>),
     Identify(Box<identify::Identify>),
+    Image(Box<image::Image>),
     Check(check::Check),
     Gradient(gradient::Gradient),
     GradientTest(gradient_test::GradientTest),
@@ -118,6 +120,7 @@ impl Command {
         match self {
             Command::Verify(arguments) => arguments.run(),
             Command::Identify(arguments) => arguments.run(),
+            Command::Image(arguments) => arguments.run(),
             Command::Check(arguments) => arguments.run(),
             Command::Gradient(arguments) => arguments.run(),
             Command::GradientTest(arguments) => arguments.run(),

@@ -16,6 +16,7 @@
 //! | [`adjoint`] | a projector beside its backprojector |
 //! | [`gradient_test`] | Taylor remainders of anybody's gradient |
 //! | [`identify`] | what a kernel computes |
+//! | [`image`](mod@image) | a renderer of volumes along three axes of refinement |
 //! | [`stress`] | digits and verdicts at the extremes |
 //! | [`tradeoff`] | error against cost |
 //! | [`plan`] | the least model of a scene |
@@ -42,6 +43,8 @@ pub mod gradient;
 #[cfg(feature = "studies")]
 pub mod gradient_test;
 pub mod identify;
+#[cfg(feature = "studies")]
+pub mod image;
 #[cfg(feature = "studies")]
 mod names;
 #[cfg(feature = "studies")]

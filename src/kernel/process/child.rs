@@ -154,7 +154,7 @@ impl Drop for Child {
 }
 
 /// Kills all that lives in the group; only then is its number given up.
-fn reap(process: &mut std::process::Child, group: Pid) -> Option<ExitStatus> {
+pub(super) fn reap(process: &mut std::process::Child, group: Pid) -> Option<ExitStatus> {
     // A group of which only the dead leader is left cannot be killed everywhere.
     let _ = kill_process_group(group, Signal::KILL);
     registry::forget(group);
@@ -166,7 +166,7 @@ fn tail(source: Option<(OwnedFd, Stream)>, log: Option<&Log>) -> io::Result<Tail
     Tail::of(File::from(pipe), log.map(|log| (log.clone(), stream)))
 }
 
-fn how(status: ExitStatus) -> String {
+pub(super) fn how(status: ExitStatus) -> String {
     match (status.code(), status.signal()) {
         (Some(code), _) => format!("exited with code {code}"),
         (None, Some(signal)) => format!("was killed by signal {signal}"),

@@ -51,7 +51,7 @@ impl Files {
 }
 
 /// A new directory for temporary files, which nobody else can read; whoever else has its name already keeps it.
-fn directory() -> io::Result<PathBuf> {
+pub(super) fn directory() -> io::Result<PathBuf> {
     static COUNT: AtomicU64 = AtomicU64::new(0);
     let process = std::process::id();
     // A child may change its own working directory.

@@ -19,6 +19,8 @@ pub(crate) mod greeting;
 mod log;
 mod message;
 mod number;
+#[cfg(feature = "studies")]
+mod once;
 mod options;
 mod peer;
 mod pipes;
@@ -33,6 +35,8 @@ pub(crate) mod written;
 
 pub use caller::{Descriptors, DescriptorsError};
 pub use log::Log;
+#[cfg(feature = "studies")]
+pub use once::{Directory, Ended, once};
 pub use options::Options;
 pub use registry::{stop_all, stop_all_and_exit};
 #[cfg(feature = "studies")]

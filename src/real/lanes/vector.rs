@@ -39,6 +39,10 @@ pub trait Lanes:
     /// Where the row has room for fewer.
     fn store(self, row: &mut [Self::Element]);
 
+    /// Every second number of these and of those behind them, from the first on, and from the second on.
+    #[must_use]
+    fn unzipped(self, behind: Self) -> (Self, Self);
+
     /// The bits of each number, shifted towards the sign.
     #[must_use]
     fn shifted(self, places: u32) -> Self;
@@ -97,6 +101,10 @@ macro_rules! one {
             #[inline(always)]
             fn store(self, row: &mut [$float]) {
                 row[0] = self;
+            }
+            #[inline(always)]
+            fn unzipped(self, behind: Self) -> (Self, Self) {
+                (self, behind)
             }
             #[inline(always)]
             fn shifted(self, places: u32) -> Self {
@@ -194,6 +202,11 @@ where
         self.0.store_slice(&mut row[..V::LEN]);
     }
     #[inline(always)]
+    fn unzipped(self, behind: Self) -> (Self, Self) {
+        let (even, odd) = self.0.deinterleave(behind.0);
+        (Vector(even, PhantomData), Vector(odd, PhantomData))
+    }
+    #[inline(always)]
     fn shifted(self, places: u32) -> Self {
         Vector(V::from_bits(self.0.to_bits() << places), PhantomData)
     }
@@ -276,6 +289,12 @@ impl<L: Lanes> Lanes for Pair<L> {
     fn store(self, row: &mut [L::Element]) {
         self.0.store(row);
         self.1.store(&mut row[L::WIDTH..]);
+    }
+    #[inline(always)]
+    fn unzipped(self, behind: Self) -> (Self, Self) {
+        let (even, odd) = self.0.unzipped(self.1);
+        let (even_behind, odd_behind) = behind.0.unzipped(behind.1);
+        (Pair(even, even_behind), Pair(odd, odd_behind))
     }
     #[inline(always)]
     fn shifted(self, places: u32) -> Self {

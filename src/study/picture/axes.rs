@@ -183,6 +183,8 @@ const TENTH: f64 = 0.1;
 const FLOOR: f64 = 1.0 / (30.0 * TENTH);
 /// Points along a pixel's side for its mean.
 const MEAN_POINTS: u32 = 4;
+/// What rounding in binary64 leaves of a difference, relative to the brightest pixel.
+const ROUNDING: f64 = 64.0 * f64::EPSILON;
 /// An order this much lower is lost.
 const HALF: f64 = 0.5;
 
@@ -237,6 +239,13 @@ pub fn pictures<P: Progress>(
     };
     let of_step = left(&by_step, &plan.steps, plan.expected[0]);
     let of_grid = left(&by_grid, &plan.cells, plan.expected[1]);
+    let steps_of = |count: &usize| diagonal(case) / *count as f64;
+    let of_steps = plan.steps.iter().map(steps_of);
+    let of_steps: Vec<f64> = of_steps
+        .map(|step| run.segment(size, &of_pixels, step))
+        .collect();
+    let of_cells = plan.cells.iter().map(|cells| longest(case) / *cells as f64);
+    let of_cells: Vec<f64> = of_cells.collect();
     let floor = run.quantum.map_or(0.0, |quantum| quantum / 2.0);
     let mut measured = Vec::new();
     let shown = |axis: Axis| plan.axes.contains(&axis);
@@ -248,7 +257,7 @@ pub fn pictures<P: Progress>(
             wanted: &wanted,
             classes: &of_pixels,
             others: of_grid + floor,
-            unit: diagonal(case),
+            sizes: &of_steps,
             expected: plan.expected[0],
         };
         measured.push(ladder.measured());
@@ -261,7 +270,7 @@ pub fn pictures<P: Progress>(
             wanted: &wanted,
             classes: &of_pixels,
             others: of_step + floor,
-            unit: longest(case),
+            sizes: &of_cells,
             expected: plan.expected[1],
         };
         measured.push(ladder.measured());
@@ -316,6 +325,28 @@ fn remaining(
 }
 
 impl<P: Progress> Run<'_, P> {
+    /// The root of the mean square of segments on smooth rays.
+    fn segment(&self, size: [usize; 2], classes: &[Class], step: f64) -> f64 {
+        let (mut sum, mut count) = (0.0, 0.0);
+        for (k, _) in classes
+            .iter()
+            .enumerate()
+            .filter(|(_, class)| **class == Class::Smooth)
+        {
+            let place = [(k % size[0]) as f64 + 0.5, (k / size[0]) as f64 + 0.5];
+            let ray = self.case.camera.ray(size, place);
+            if let Some(chord) = ray.and_then(|ray| self.case.chord(&ray)) {
+                sum += self.renderer.segment(chord.to - chord.from, step).powi(2);
+                count += 1.0;
+            }
+        }
+        if count > 0.0 {
+            (sum / count).sqrt()
+        } else {
+            step
+        }
+    }
+
     fn render(
         &mut self,
         steps: usize,
@@ -338,6 +369,8 @@ impl<P: Progress> Run<'_, P> {
     fn pixels(&mut self, exact: &ExactPicture<'_>, others: f64) -> Result<Measured, RenderError> {
         let plan = self.plan;
         let (steps, cells) = (last(&plan.steps), last(&plan.cells));
+        let coarsest = plan.size(plan.pixels.first().copied().unwrap_or(1));
+        let region = classes(self.case, coarsest, true);
         let mut levels = Vec::new();
         for &side in &plan.pixels {
             let size = plan.size(side);
@@ -345,7 +378,20 @@ impl<P: Progress> Run<'_, P> {
             let means = exact.means(size, MEAN_POINTS);
             let classes = classes(self.case, size, true);
             let hit = |k: usize| classes.get(k) != Some(&Class::Outside);
-            let smooth = |k: usize| classes.get(k) == Some(&Class::Smooth);
+            // The same part of the picture at all levels: pixels in those of the coarsest that are smooth.
+            let smooth = |k: usize| {
+                let [column, row] = [k % size[0], k / size[0]];
+                let within = |place: usize, of: usize, coarse: usize| {
+                    let first = place * coarse / of;
+                    let last = ((place + 1) * coarse).div_ceil(of) - 1;
+                    first..=last.min(coarse - 1)
+                };
+                let rows = within(row, size[1], coarsest[1]);
+                rows.into_iter().all(|y| {
+                    within(column, size[0], coarsest[0])
+                        .all(|x| region.get(y * coarsest[0] + x) == Some(&Class::Smooth))
+                })
+            };
             let smooth = norms(&image, &means, smooth);
             levels.push(Level {
                 count: side,
@@ -379,8 +425,8 @@ struct Ladder<'a> {
     wanted: &'a Image,
     classes: &'a [Class],
     others: f64,
-    /// What counts divide.
-    unit: f64,
+    /// The length of a step, or the distance of samples, level by level.
+    sizes: &'a [f64],
     expected: Option<f64>,
 }
 
@@ -401,10 +447,13 @@ impl Ladder<'_> {
         // Of differences those of the other axes, which stay as they are, are no part.
         let differs = clean < 4 && !is_settled(&first) && self.others > 0.0;
         let levels = if differs {
-            self.levels(
-                |k| Some((self.images.get(k)?, self.images.get(k + 1)?)),
-                0.0,
-            )
+            {
+                let rounding = ROUNDING * self.brightest();
+                self.levels(
+                    |k| Some((self.images.get(k)?, self.images.get(k + 1)?)),
+                    rounding,
+                )
+            }
         } else {
             Vec::new()
         };
@@ -438,7 +487,7 @@ impl Ladder<'_> {
             let of_smooth = norms(one, other, smooth);
             Some(Level {
                 count,
-                size: self.unit / count as f64,
+                size: *self.sizes.get(k)?,
                 all: norms(one, other, hit),
                 smooth: of_smooth,
                 others,
@@ -446,6 +495,11 @@ impl Ladder<'_> {
             })
         };
         self.counts.iter().enumerate().filter_map(level).collect()
+    }
+
+    fn brightest(&self) -> f64 {
+        let values = self.wanted.values.iter();
+        values.fold(0.0, |most: f64, value| most.max(value.abs()))
     }
 
     /// The error of every pixel at one level, the largest of its channels.

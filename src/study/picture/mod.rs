@@ -7,10 +7,14 @@ mod axes;
 mod classes;
 mod likeness;
 mod norms;
+mod own;
+mod program;
 mod renderer;
 
 pub use axes::{Axis, Level, Lost, Map, Measured, Pictures, PixelIs, Plan, pictures};
 pub use classes::{Class, classes};
 pub use likeness::{Likeness, likeness};
 pub use norms::{Norms, norms};
+pub use own::{Own, OwnError};
+pub use program::{PLACEHOLDERS, Program, ProgramOptions};
 pub use renderer::{Asked, RenderError, Rendered, Renderer};

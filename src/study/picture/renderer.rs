@@ -30,6 +30,12 @@ pub trait Renderer {
     /// What it is called.
     fn name(&self) -> String;
 
+    /// How long the segments of a ray of that length are where steps of this length are asked for: the step itself, unless it
+    /// is known better.
+    fn segment(&self, _length: f64, step: f64) -> f64 {
+        step
+    }
+
     /// Makes a picture.
     ///
     /// # Errors
@@ -57,7 +63,7 @@ pub enum RenderError {
         seconds: f64,
     },
     /// It failed.
-    #[error("'{program}' ended with {status}; the last that it said: {said}")]
+    #[error("'{program}' {status}; the last that it said: {said}")]
     Failed {
         /// The program.
         program: String,
@@ -80,9 +86,6 @@ pub enum RenderError {
     /// A file that it is given could not be written.
     #[error("{0}")]
     Given(String),
-    /// Ctrl-C.
-    #[error("interrupted")]
-    Interrupted,
 }
 
 impl Rendered {

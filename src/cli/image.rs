@@ -1,0 +1,512 @@
+//! `volver image`: a renderer of volumes along three axes of refinement.
+
+use super::about::about;
+use super::input::read;
+use super::output::Output;
+use super::progress::Bar;
+use super::{Color, Failure, Outcome, write_out};
+use clap::{Args, ValueEnum};
+use std::fmt::Write as _;
+use std::path::{Path, PathBuf};
+use std::time::Duration;
+use volver::case::volume::{self, VolumeCase, catalogue};
+use volver::image::file as image_file;
+use volver::reference::ExactPicture;
+use volver::report::image::{Imaged, Standing, document, json, write};
+use volver::study::picture::{
+    Axis, Own, PixelIs, Plan, Program, ProgramOptions, Renderer, likeness, norms, pictures,
+};
+use volver::volume::file::{Turned, write as write_volume, write_camera, write_transfer};
+
+/// The largest file of a volume by formulas.
+const MAX_FILE: u64 = 1 << 20;
+/// The most cells along an axis, steps along a diagonal, and pixels along a side.
+const MOST: usize = 4096;
+
+const EXAMPLES: &str = "\
+VOLUME is a name of the catalogue (ramp, radial, wave, blob, kink-plane, jump-sphere), or a
+file: any path with a / in it or .toml at its end. Without RENDERER it is shown.
+
+RENDERER is one of volver's own, raycast:INTERPOLATION/METHOD[@FORMAT], or a command line, in
+whose words {volume} {transfer} {camera} {width} {height} {step} and {out} stand for files
+that are written, numbers, and the file that it is to write. docs/images.md says what is in
+them.
+
+The step along rays, the grid of samples and the pixel are refined, each beside the exact
+picture, and orders are fitted over pixels whose rays meet nothing but what is analytic. A
+picture that is the right one mirrored, turned, moved by half a voxel or a pixel, with
+channels exchanged, or with lengths or values multiplied, is said to be so where that leaves
+at most a tenth of the error, on pixels that it was not found with.
+
+The exit code is 0 where no order is contradicted and those that are expected are confirmed,
+1 where one is not, or the picture is another one, 2 where it could not run.
+
+Work: about 20 pictures; a program has --timeout for each. Volumes of 8 (cells + 1)³ bytes.
+
+JSON: renderer, volume, standing, axes with levels, fit, orders and lost, like, not_finite,
+quantum.
+
+Examples:
+  volver image
+  volver image wave raycast:linear/front-to-back/middle/expm1
+  volver image ramp --axes step --json - raycast:linear/front-to-back/front/expm1@f32
+  volver image blob --pixel 20,12
+  volver image wave --write target/wave --cells 32 --side 64";
+
+/// Refine a renderer of volumes along its step, its grid and its pixels
+#[derive(Args)]
+#[command(override_usage = "volver image [OPTIONS] [VOLUME] [RENDERER]...")]
+#[command(after_help = EXAMPLES)]
+pub(crate) struct Image {
+    /// A volume; without one, they are listed
+    #[arg(value_name = "VOLUME")]
+    volume: Option<String>,
+    /// A renderer
+    #[arg(
+        value_name = "RENDERER",
+        trailing_var_arg = true,
+        allow_hyphen_values = true
+    )]
+    renderer: Vec<String>,
+    /// What is refined
+    #[arg(
+        long,
+        value_enum,
+        value_delimiter = ',',
+        value_name = "AXES",
+        default_value = "step,grid,pixel"
+    )]
+    axes: Vec<AxisName>,
+    /// Steps along the diagonal of the box, rising [default: 32,64 … 2048]
+    #[arg(long, value_delimiter = ',', value_name = "COUNTS", value_parser = count)]
+    steps: Vec<usize>,
+    /// Cells of the grid along each axis, rising [default: 8,16,32,64,128]
+    #[arg(long, value_delimiter = ',', value_name = "COUNTS", value_parser = count)]
+    cells: Vec<usize>,
+    /// Pixels along the shorter side where pixels are refined [default: 8,16,32,64]
+    #[arg(long, value_delimiter = ',', value_name = "COUNTS", value_parser = count)]
+    pixels: Vec<usize>,
+    /// Pixels along the shorter side where step and grid are
+    #[arg(long, value_name = "COUNT", default_value_t = 24, value_parser = count)]
+    side: usize,
+    /// Width by height of pictures
+    #[arg(long, value_name = "W:H", default_value = "1:1", value_parser = aspect)]
+    aspect: [usize; 2],
+    /// Pixels are means over their square, and not the radiance through their middle
+    #[arg(long)]
+    mean: bool,
+    /// The order of the step that is expected [default: that of a renderer of volver's own]
+    #[arg(long, value_name = "P", value_parser = order)]
+    step_order: Option<f64>,
+    /// The order of the grid that is expected [default: that of the interpolation; 2 of programs]
+    #[arg(long, value_name = "P", value_parser = order)]
+    grid_order: Option<f64>,
+    /// The order of pixels that is expected [default: 2; none with --mean]
+    #[arg(long, value_name = "P", value_parser = order)]
+    pixel_order: Option<f64>,
+    /// The file of the volume: vti, nrrd, mha or npy
+    #[arg(long, value_enum, value_name = "FORMAT", default_value = "vti")]
+    volume_format: VolumeFormat,
+    /// The picture that a program writes: exr, npy, pfm, png, ppm or pgm
+    #[arg(long, value_enum, value_name = "FORMAT", default_value = "exr")]
+    picture_format: PictureFormat,
+    /// Samples in binary32
+    #[arg(long)]
+    single: bool,
+    /// Seconds that a program has for a picture
+    #[arg(long, value_name = "SECONDS", default_value_t = 60.0, value_parser = seconds)]
+    timeout: f64,
+    /// Print the case file of the ray through the middle of a pixel of the picture
+    #[arg(long, value_name = "X,Y", value_parser = pixel, conflicts_with_all = ["write", "renderer"])]
+    pixel: Option<[usize; 2]>,
+    /// Write the volume, the transfer functions, the camera and the exact picture into a directory
+    #[arg(long, value_name = "DIR", conflicts_with = "renderer")]
+    write: Option<PathBuf>,
+    /// Compare a picture with the exact one
+    #[arg(long, value_name = "PICTURE", conflicts_with_all = ["write", "pixel", "renderer"])]
+    compare: Option<PathBuf>,
+    /// Write one JSON document; - is standard output, without the table
+    #[arg(long, value_name = "FILE")]
+    json: Option<PathBuf>,
+    /// Write the report, as a page, Markdown and JSON, into a directory
+    #[arg(long, value_name = "DIR")]
+    out: Option<PathBuf>,
+    /// Print no table
+    #[arg(long)]
+    quiet: bool,
+    /// Colour the verdicts
+    #[arg(long, value_enum, default_value = "auto", value_name = "WHEN")]
+    color: Color,
+}
+
+#[derive(Clone, Copy, PartialEq, Eq, ValueEnum)]
+enum AxisName {
+    Step,
+    Grid,
+    Pixel,
+}
+
+#[derive(Clone, Copy, ValueEnum)]
+enum VolumeFormat {
+    Vti,
+    Nrrd,
+    Mha,
+    Npy,
+}
+
+#[derive(Clone, Copy, ValueEnum)]
+enum PictureFormat {
+    Exr,
+    Npy,
+    Pfm,
+    Png,
+    Ppm,
+    Pgm,
+}
+
+fn count(text: &str) -> Result<usize, String> {
+    match text.parse() {
+        Ok(count) if (1..=MOST).contains(&count) => Ok(count),
+        _ => Err(format!("allowed: integers from 1 to {MOST}")),
+    }
+}
+
+fn order(text: &str) -> Result<f64, String> {
+    match text.parse() {
+        Ok(order) if (0.25..=16.0).contains(&order) => Ok(order),
+        _ => Err("allowed: numbers from 0.25 to 16".into()),
+    }
+}
+
+fn seconds(text: &str) -> Result<f64, String> {
+    match text.parse::<f64>() {
+        Ok(seconds) if seconds > 0.0 && seconds <= 1e6 => Ok(seconds),
+        _ => Err("allowed: numbers above 0, up to 1e6".into()),
+    }
+}
+
+fn pair(text: &str, between: char) -> Option<[usize; 2]> {
+    let (one, other) = text.split_once(between)?;
+    Some([one.trim().parse().ok()?, other.trim().parse().ok()?])
+}
+
+fn aspect(text: &str) -> Result<[usize; 2], String> {
+    let is_good = |sides: &[usize; 2]| sides.iter().all(|side| (1..=64).contains(side));
+    pair(text, ':')
+        .filter(is_good)
+        .ok_or_else(|| "allowed: two integers from 1 to 64, such as 4:3".into())
+}
+
+fn pixel(text: &str) -> Result<[usize; 2], String> {
+    pair(text, ',').ok_or_else(|| "allowed: two integers from 0 on, such as 12,7".into())
+}
+
+fn name_of(value: impl ValueEnum) -> String {
+    let value = value.to_possible_value();
+    value.map_or(String::new(), |value| value.get_name().to_string())
+}
+
+impl Image {
+    pub(crate) fn run(self) -> Result<Outcome, Failure> {
+        let Some(name) = &self.volume else {
+            write_out(&listed())?;
+            return Ok(Outcome::Good);
+        };
+        let case = load(name)?;
+        let plan = self.plan()?;
+        if let Some(at) = self.pixel {
+            return self.print_pixel(&case, &plan, at);
+        }
+        if let Some(directory) = &self.write {
+            return self.write_files(&case, &plan, directory);
+        }
+        if let Some(picture) = &self.compare {
+            return self.compared(&case, &plan, picture);
+        }
+        if self.renderer.is_empty() {
+            write_out(&shown(&case, &plan))?;
+            return Ok(Outcome::Good);
+        }
+        self.measured(&case, plan)
+    }
+
+    fn plan(&self) -> Result<Plan, Failure> {
+        let rising = |option: &str, given: &[usize], usual: &[usize]| {
+            let counts = if given.is_empty() { usual } else { given };
+            if counts.windows(2).all(|pair| pair[0] < pair[1]) {
+                Ok(counts.to_vec())
+            } else {
+                Err(Failure::Usage(format!(
+                    "{option} does not rise (allowed: each count above the one before)"
+                )))
+            }
+        };
+        let axes = [
+            (AxisName::Step, Axis::Step),
+            (AxisName::Grid, Axis::Grid),
+            (AxisName::Pixel, Axis::Pixel),
+        ];
+        let chosen = axes.iter().filter(|(name, _)| self.axes.contains(name));
+        Ok(Plan {
+            steps: rising("--steps", &self.steps, &[32, 64, 128, 256, 512, 1024, 2048])?,
+            cells: rising("--cells", &self.cells, &[8, 16, 32, 64, 128])?,
+            pixels: rising("--pixels", &self.pixels, &[8, 16, 32, 64])?,
+            side: self.side,
+            aspect: self.aspect,
+            axes: chosen.map(|(_, axis)| *axis).collect(),
+            pixel: if self.mean {
+                PixelIs::Mean
+            } else {
+                PixelIs::Centre
+            },
+            expected: [self.step_order, self.grid_order, self.pixel_order],
+        })
+    }
+
+    fn measured(&self, case: &VolumeCase, plan: Plan) -> Result<Outcome, Failure> {
+        let output = Output {
+            out: self.out.as_deref(),
+            files: vec![("--json", self.json.as_deref())],
+            quiet: self.quiet,
+            color: self.color,
+        };
+        output.check()?;
+        let (mut renderer, usual) = self.renderer()?;
+        let mut plan = plan;
+        for (expected, usual) in plan.expected.iter_mut().zip(usual) {
+            *expected = expected.or(usual);
+        }
+        if self.mean && self.pixel_order.is_none() {
+            plan.expected[2] = None;
+        }
+        let bar = Bar::new(plan.pictures() as u64);
+        let found = pictures(case, renderer.as_mut(), &plan, &bar);
+        bar.finish();
+        let found = found.map_err(|error| Failure::Usage(error.to_string()))?;
+        let cells = plan.cells.last().copied().unwrap_or(1);
+        let like = likeness(case, &found, plan.pixel, cells);
+        let imaged = Imaged {
+            volume: case.name.clone(),
+            pictures: found,
+            like,
+        };
+        output.hand_out(
+            &document(&imaged, &about()),
+            |directory| write(directory, &imaged, &about()),
+            |_| json(&imaged),
+        )?;
+        Ok(match imaged.standing() {
+            Standing::Good => Outcome::Good,
+            Standing::Open | Standing::Bad => Outcome::CheckFailed,
+        })
+    }
+
+    /// The renderer, and what theory gives of it.
+    fn renderer(&self) -> Result<(Box<dyn Renderer>, [Option<f64>; 3]), Failure> {
+        if let [name] = self.renderer.as_slice()
+            && let Some(own) = name.strip_prefix("raycast:")
+        {
+            let own: Own = own
+                .parse()
+                .map_err(|error: volver::study::picture::OwnError| {
+                    Failure::Usage(error.to_string())
+                })?;
+            let expected = own.expected();
+            return Ok((Box::new(own), expected));
+        }
+        let program = Program::new(ProgramOptions {
+            words: self.renderer.clone(),
+            volume: name_of(self.volume_format),
+            picture: name_of(self.picture_format),
+            single: self.single,
+            timeout: Duration::from_secs_f64(self.timeout),
+        });
+        let program = program.map_err(|error| Failure::Usage(error.to_string()))?;
+        Ok((Box::new(program), [None, Some(2.0), Some(2.0)]))
+    }
+
+    fn print_pixel(
+        &self,
+        case: &VolumeCase,
+        plan: &Plan,
+        [x, y]: [usize; 2],
+    ) -> Result<Outcome, Failure> {
+        let [width, height] = plan.size(plan.side);
+        if x >= width || y >= height {
+            return Err(Failure::Usage(format!(
+                "no pixel {x},{y} (allowed: 0,0 to {},{} of the picture, whose size --side gives)",
+                width - 1,
+                height - 1
+            )));
+        }
+        let ray = case
+            .camera
+            .ray([width, height], [x as f64 + 0.5, y as f64 + 0.5]);
+        let hit = ray.and_then(|ray| Some((ray, case.chord(&ray)?)));
+        let Some((ray, chord)) = hit else {
+            return Err(Failure::Usage(format!(
+                "the ray of pixel {x},{y} misses the volume (allowed: pixels that show it)"
+            )));
+        };
+        let name = format!("{}-{x}-{y}", case.name);
+        write_out(&case.ray_case(&name, &ray, chord))?;
+        Ok(Outcome::Good)
+    }
+
+    /// Everything that a renderer needs, at the finest levels that are asked for.
+    fn write_files(
+        &self,
+        case: &VolumeCase,
+        plan: &Plan,
+        directory: &Path,
+    ) -> Result<Outcome, Failure> {
+        volver::render::make_directory(directory)?;
+        let cells = plan.cells.last().copied().unwrap_or(1);
+        let grid = case.sampled([cells + 1; 3]);
+        let file_failed =
+            |error: volver::volume::file::FileError| Failure::Usage(error.to_string());
+        let volume = directory.join(format!("volume.{}", name_of(self.volume_format)));
+        let _: volver::volume::file::Geometry =
+            write_volume(&volume, &grid, Turned::Refused).map_err(file_failed)?;
+        write_transfer(&directory.join("transfer.json"), &case.transfer).map_err(file_failed)?;
+        write_camera(&directory.join("camera.json"), &case.camera).map_err(file_failed)?;
+        let exact = self.exact(case, plan);
+        for ending in ["exr", "npy"] {
+            let path = directory.join(format!("exact.{ending}"));
+            image_file::write(&path, &exact).map_err(file_failed)?;
+        }
+        write_out(&format!(
+            "5 files in {}: {} cells, {} × {} pixels\n",
+            directory.display(),
+            cells,
+            exact.width,
+            exact.height
+        ))?;
+        Ok(Outcome::Good)
+    }
+
+    fn exact(&self, case: &VolumeCase, plan: &Plan) -> volver::image::Image {
+        let exact = ExactPicture::new(case);
+        let size = plan.size(plan.side);
+        match plan.pixel {
+            PixelIs::Centre => exact.centres(size),
+            PixelIs::Mean => exact.means(size, 4),
+        }
+    }
+
+    /// How far a picture is from the exact one of its size.
+    fn compared(&self, case: &VolumeCase, plan: &Plan, path: &Path) -> Result<Outcome, Failure> {
+        let read = image_file::read(path).map_err(|error| Failure::Usage(error.to_string()))?;
+        let mut plan = plan.clone();
+        let size = [read.image.width, read.image.height];
+        plan.side = size[0].min(size[1]);
+        plan.aspect = size;
+        let exact = self.exact(case, &plan);
+        if [exact.width, exact.height] != size || exact.channels.len() > read.image.channels.len() {
+            return Err(Failure::Usage(format!(
+                "{}: {} × {} pixels of {} channels (allowed: {} channels, {})",
+                path.display(),
+                size[0],
+                size[1],
+                read.image.channels.len(),
+                exact.channels.len(),
+                exact.channels.join(", ")
+            )));
+        }
+        let asked = volver::study::picture::Asked {
+            case,
+            cells: plan.cells.last().copied().unwrap_or(1),
+            size,
+            step: 1.0,
+        };
+        let rendered = volver::study::picture::Rendered {
+            image: read.image,
+            quantum: read.quantum,
+        };
+        let image = rendered
+            .fitting(&asked)
+            .map_err(|error| Failure::Usage(format!("{}: {error}", path.display())))?
+            .image;
+        let off = norms(&image, &exact, |_| true);
+        let mut text = String::new();
+        // Writing to a text cannot fail.
+        let _ = writeln!(text, "max         {:.3e}", off.max);
+        let _ = writeln!(text, "L1          {:.3e}", off.l1);
+        let _ = writeln!(text, "L2          {:.3e}", off.l2);
+        let _ = writeln!(text, "not finite  {}", off.not_finite);
+        if let Some(quantum) = read.quantum {
+            let _ = writeln!(text, "quantum     {quantum:.3e}");
+        }
+        let found = volver::study::picture::Pictures {
+            renderer: path.display().to_string(),
+            axes: Vec::new(),
+            coarser: image.clone(),
+            finest: image,
+            exact,
+            not_finite: off.not_finite,
+            quantum: read.quantum,
+            classes: Vec::new(),
+        };
+        let like = likeness(case, &found, plan.pixel, asked.cells);
+        for one in &like {
+            let _ = writeln!(
+                text,
+                "{}: {}; {:.1e} of the error is left",
+                one.name, one.words, one.left
+            );
+        }
+        write_out(&text)?;
+        Ok(if like.is_empty() && off.not_finite == 0 {
+            Outcome::Good
+        } else {
+            Outcome::CheckFailed
+        })
+    }
+}
+
+fn load(name: &str) -> Result<VolumeCase, Failure> {
+    if let Some(case) = catalogue::find(name) {
+        return Ok(case);
+    }
+    let is_file = name == "-" || name.contains('/') || name.ends_with(".toml");
+    if !is_file {
+        let names: Vec<&str> = catalogue::names().collect();
+        return Err(Failure::Usage(format!(
+            "no volume '{}' (allowed: {}, or a file: a path with a / in it or .toml at its end)",
+            name.escape_debug(),
+            names.join(", ")
+        )));
+    }
+    let text = read(name, MAX_FILE)?;
+    volume::read(&text).map_err(|error| Failure::Content {
+        path: name.into(),
+        error: error.into(),
+    })
+}
+
+fn listed() -> String {
+    let mut text = String::new();
+    for case in catalogue::names().filter_map(catalogue::find) {
+        // Writing to a text cannot fail.
+        let _ = writeln!(text, "{:<12} {}", case.name, case.title);
+    }
+    text
+}
+
+/// What a volume is, and what its picture comes to.
+fn shown(case: &VolumeCase, plan: &Plan) -> String {
+    let size = plan.size(plan.side);
+    let exact = ExactPicture::new(case).centres(size);
+    let lit = exact.values.chunks(exact.channels.len().max(1));
+    let lit = lit.filter(|pixel| pixel.iter().any(|v| *v != 0.0)).count();
+    let most = exact.values.iter().copied().fold(0.0, f64::max);
+    let [low, high] = case.corners;
+    format!(
+        "{}: {}\nbox         {low:?} to {high:?}\nchannels    {}\npicture     {} × {} pixels, {lit} of them lit, at most {most:.4}\n",
+        case.name,
+        case.title,
+        exact.channels.join(", "),
+        size[0],
+        size[1],
+    )
+}
