@@ -1,6 +1,6 @@
 # What a stranger runs and what CI runs are the same commands.
 
-.PHONY: reproduce test library thorough attack proofs mutants lint kernels page docs python engines gallery flint bench setup
+.PHONY: reproduce test library thorough attack proofs mutants lint kernels page docs python formats engines gallery flint bench setup
 .DEFAULT_GOAL := reproduce
 
 # The main job: the paper's tables, measured again, and what lies beyond them; the report goes to reproduction/.
@@ -58,6 +58,10 @@ docs: setup
 # The wheel and its package, in fresh environments of the oldest and the newest CPython that can be had.
 python: setup
 	python/check
+
+# Files of volumes and pictures, read and written by VTK, ITK, pynrrd, OpenEXR, NumPy, OpenCV and Pillow, which come from PyPI.
+formats: setup
+	tests/formats/check
 
 # Studies in shards by a real Slurm, Debian's, which it installs and starts on this machine as root, and a manifest of Kubernetes.
 engines: setup

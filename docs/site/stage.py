@@ -19,7 +19,7 @@ LINK = re.compile(r"(\]\()([^()\s]+)(\))")
 LANGUAGES = {".c": "c", ".h": "c", ".py": "python", ".rs": "rust", ".toml": "toml", ".sh": "bash", ".json": "json", ".yml": "yaml"}
 # The reference, in the order of a reader who comes to it from the tutorials.
 REFERENCE = [
-    "verify", "identify", "gallery", "verdicts", "gradient", "protocol", "commands", "report", "study", "tradeoff", "scenes", "cases",
+    "verify", "identify", "gallery", "verdicts", "gradient", "protocol", "commands", "report", "study", "tradeoff", "scenes", "images", "cases",
     "nonsmooth", "stress", "scale", "python", "trust", "benchmarks", "architecture", "contributing",
 ]  # fmt: skip
 MOST = 30
