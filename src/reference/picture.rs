@@ -90,7 +90,7 @@ impl<'c> ExactPicture<'c> {
                 continue;
             }
             let whole = self.panel(panel, ray, from, to);
-            let piece = self.halved(panel, ray, (from, to), whole, HALVINGS);
+            let piece = self.halved(panel, ray, (from, to), &whole, HALVINGS);
             let through = (-seen.depth).exp();
             for (sum, adds) in seen.radiance.iter_mut().zip(&piece.radiance) {
                 *sum += through * adds;
@@ -114,7 +114,7 @@ impl<'c> ExactPicture<'c> {
             return self.centres(size);
         };
         let channels = self.case.transfer.channels.len();
-        self.picture(size, |ray| mean(&rule, channels, |at| ray(at)))
+        self.picture(size, |ray| mean(&rule, channels, ray))
     }
 
     /// The picture of the rays through places moved by so many pixels to the right and down; of pixels' means with
@@ -165,7 +165,7 @@ impl<'c> ExactPicture<'c> {
         rule: &Collocation<f64>,
         ray: &Ray,
         (from, to): (f64, f64),
-        whole: Panel,
+        whole: &Panel,
         halvings: u32,
     ) -> Panel {
         let middle = f64::midpoint(from, to);
@@ -183,9 +183,9 @@ impl<'c> ExactPicture<'c> {
         if is_known || halvings == 0 || middle <= from || middle >= to {
             return both;
         }
-        let near = self.halved(rule, ray, (from, middle), near, halvings - 1);
-        let far = self.halved(rule, ray, (middle, to), far, halvings - 1);
-        joined(&near, &far)
+        let in_front = self.halved(rule, ray, (from, middle), &near, halvings - 1);
+        let behind = self.halved(rule, ray, (middle, to), &far, halvings - 1);
+        joined(&in_front, &behind)
     }
 
     fn panel(&self, rule: &Collocation<f64>, ray: &Ray, from: f64, to: f64) -> Panel {

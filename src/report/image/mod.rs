@@ -58,6 +58,7 @@ fn of_axis(measured: &Measured) -> Tone {
         Some(Verdict::TooLow | Verdict::Stalled | Verdict::Diverged | Verdict::NotFinite) => {
             Tone::Bad
         }
+        _ if measured.falls_short().is_some() => Tone::Bad,
         // Better than expected is no fault of a renderer.
         Some(Verdict::TooHigh) => Tone::Good,
         _ => Tone::Open,
@@ -124,6 +125,7 @@ fn whole(imaged: &Imaged, word: &str) -> String {
     let said = |axis: &Measured| {
         let verdict = axis.fit.as_ref().map(|fit| fit.verdict);
         let verdict = verdict.map_or("no levels", Verdict::name);
+        let verdict = axis.falls_short().map_or(verdict, |_| "falls short");
         format!("{} {}", axis.axis.name(), verdict)
     };
     let axes: Vec<String> = pictures.axes.iter().map(said).collect();
@@ -168,6 +170,7 @@ fn table(axes: &[Measured]) -> Table {
             })
         };
         let verdict = fit.map_or("no levels", |fit| fit.verdict.name());
+        let verdict = axis.falls_short().map_or(verdict, |_| "falls short");
         let expected = axis.expected.map_or(Cell::text("–"), |order| {
             Cell::number(format!("{order}"), order)
         });
@@ -195,6 +198,12 @@ fn limited(axis: &Measured) -> Option<String> {
     if axis.by_differences {
         return Some(format!(
             "{}: errors of {others} are not under a tenth everywhere; differences of levels one behind the other, of which they are no part, show the order.",
+            axis.axis.name()
+        ));
+    }
+    if let Some([first, second, third]) = axis.falls_short() {
+        return Some(format!(
+            "{}: orders fall as it is refined, from {first:.2} over {second:.2} to {third:.2}, and not to what is expected.",
             axis.axis.name()
         ));
     }

@@ -130,6 +130,27 @@ pub struct Measured {
     pub error: Option<Map>,
 }
 
+impl Measured {
+    /// Orders of the last refinements, coarse to fine, where they fall from one to the next and end more than a half below
+    /// what is expected, though the errors of the other axes are small: no window shows what they fall to, and they do not
+    /// rise to what is expected.
+    #[must_use]
+    pub fn falls_short(&self) -> Option<[f64; 3]> {
+        let [.., a, b, c, d] = self.levels.as_slice() else {
+            return None;
+        };
+        let expected = self.expected?;
+        let order = |coarse: &Level, fine: &Level| {
+            let error = (coarse.smooth.l2 / fine.smooth.l2).ln();
+            error / (coarse.size / fine.size).ln()
+        };
+        let orders = [order(a, b), order(b, c), order(c, d)];
+        let [first, second, third] = orders;
+        let falls = first > second && second > third && third < expected - HALF;
+        (falls && [a, b, c, d].iter().all(|level| level.is_clean)).then_some(orders)
+    }
+}
+
 /// A number for every pixel.
 #[derive(Clone, Debug)]
 pub struct Map {
@@ -503,7 +524,7 @@ impl Ladder<'_> {
     }
 
     /// The error of every pixel at one level, the largest of its channels.
-    fn errors(&self, one: &Image, other: &Image) -> Vec<f64> {
+    fn errors(one: &Image, other: &Image) -> Vec<f64> {
         let channels = one.channels.len().max(1);
         let pairs = one
             .values
@@ -533,7 +554,7 @@ impl Ladder<'_> {
 
     fn error(&self) -> Map {
         let finest = self.images.last().unwrap_or(self.wanted);
-        self.map(self.errors(finest, self.wanted))
+        self.map(Self::errors(finest, self.wanted))
     }
 
     /// By the finest two levels that are above what others may be, over the span of three where there are as many.
@@ -545,7 +566,7 @@ impl Ladder<'_> {
             } else {
                 self.wanted
             };
-            Some((*self.counts.get(k)?, self.errors(image, other)))
+            Some((*self.counts.get(k)?, Self::errors(image, other)))
         };
         let all: Vec<(usize, Vec<f64>)> = (0..self.images.len()).filter_map(at).collect();
         let others = if by_differences { 0.0 } else { self.others };

@@ -259,9 +259,9 @@ impl Maker<'_> {
                 });
                 // The camera moves the other way, and what it sees is the same as if all else moved.
                 let mut case = self.case.clone();
-                for axis in 0..3 {
-                    case.camera.position[axis] -= by[axis];
-                    case.camera.target[axis] -= by[axis];
+                for (axis, by) in by.into_iter().enumerate() {
+                    case.camera.position[axis] -= by;
+                    case.camera.target[axis] -= by;
                 }
                 all.push(Candidate {
                     name: "half-voxel",
