@@ -53,6 +53,9 @@ impl Imaged {
 
 /// How good or bad an axis is.
 fn of_axis(measured: &Measured) -> Tone {
+    if measured.changes_nothing {
+        return Tone::Good;
+    }
     match measured.fit.as_ref().map(|fit| fit.verdict) {
         Some(Verdict::Confirmed | Verdict::Exact | Verdict::Fitted) => Tone::Good,
         Some(Verdict::TooLow | Verdict::Stalled | Verdict::Diverged | Verdict::NotFinite) => {
@@ -125,7 +128,7 @@ fn whole(imaged: &Imaged, word: &str) -> String {
     let said = |axis: &Measured| {
         let verdict = axis.fit.as_ref().map(|fit| fit.verdict);
         let verdict = verdict.map_or("no levels", Verdict::name);
-        let verdict = axis.falls_short().map_or(verdict, |_| "falls short");
+        let verdict = own_word(axis).unwrap_or(verdict);
         format!("{} {}", axis.axis.name(), verdict)
     };
     let axes: Vec<String> = pictures.axes.iter().map(said).collect();
@@ -170,7 +173,7 @@ fn table(axes: &[Measured]) -> Table {
             })
         };
         let verdict = fit.map_or("no levels", |fit| fit.verdict.name());
-        let verdict = axis.falls_short().map_or(verdict, |_| "falls short");
+        let verdict = own_word(axis).unwrap_or(verdict);
         let expected = axis.expected.map_or(Cell::text("–"), |order| {
             Cell::number(format!("{order}"), order)
         });
@@ -188,6 +191,15 @@ fn table(axes: &[Measured]) -> Table {
     Table::new(caption, columns).with(axes.iter().map(row))
 }
 
+/// A word of its own for what is no fit's.
+fn own_word(axis: &Measured) -> Option<&'static str> {
+    if axis.changes_nothing {
+        Some("no error")
+    } else {
+        axis.falls_short().map(|_| "falls short")
+    }
+}
+
 /// Which axis stands in the way of another.
 fn limited(axis: &Measured) -> Option<String> {
     let others = match axis.axis {
@@ -195,6 +207,12 @@ fn limited(axis: &Measured) -> Option<String> {
         Axis::Grid => "the step and the quantum of values",
         Axis::Pixel => "the step, the grid and the quantum of values",
     };
+    if axis.changes_nothing {
+        return Some(format!(
+            "{}: refining it changes nothing beyond rounding.",
+            axis.axis.name()
+        ));
+    }
     if axis.by_differences {
         return Some(format!(
             "{}: errors of {others} are not under a tenth everywhere; differences of levels one behind the other, of which they are no part, show the order.",

@@ -4,7 +4,7 @@ use super::classes::{Class, classes};
 use super::norms::{Norms, norms};
 use super::renderer::{Asked, RenderError, Renderer};
 use crate::case::volume::VolumeCase;
-use crate::convergence::{Fit, Sample, fit};
+use crate::convergence::{Fit, Sample, Verdict, fit};
 use crate::image::Image;
 use crate::method::Expected;
 use crate::reference::ExactPicture;
@@ -120,6 +120,8 @@ pub struct Measured {
     pub by_differences: bool,
     /// What was expected.
     pub expected: Option<f64>,
+    /// Refining it changes nothing beyond rounding: it has no error here.
+    pub changes_nothing: bool,
     /// Where the order is lost.
     pub lost: Vec<Lost>,
     /// The order of every pixel, by its two finest levels; NaN where there is none.
@@ -392,44 +394,62 @@ impl<P: Progress> Run<'_, P> {
         let (steps, cells) = (last(&plan.steps), last(&plan.cells));
         let coarsest = plan.size(plan.pixels.first().copied().unwrap_or(1));
         let region = classes(self.case, coarsest, true);
-        let mut levels = Vec::new();
+        let mut images = Vec::new();
         for &side in &plan.pixels {
-            let size = plan.size(side);
-            let image = self.render(steps, cells, size)?;
-            let means = exact.means(size, MEAN_POINTS);
-            let classes = classes(self.case, size, true);
-            let hit = |k: usize| classes.get(k) != Some(&Class::Outside);
-            // The same part of the picture at all levels: pixels in those of the coarsest that are smooth.
-            let smooth = |k: usize| {
-                let [column, row] = [k % size[0], k / size[0]];
-                let within = |place: usize, of: usize, coarse: usize| {
-                    let first = place * coarse / of;
-                    let last = ((place + 1) * coarse).div_ceil(of) - 1;
-                    first..=last.min(coarse - 1)
-                };
-                let rows = within(row, size[1], coarsest[1]);
-                rows.into_iter().all(|y| {
-                    within(column, size[0], coarsest[0])
-                        .all(|x| region.get(y * coarsest[0] + x) == Some(&Class::Smooth))
+            images.push(self.render(steps, cells, plan.size(side))?);
+        }
+        let level =
+            |(k, &side): (usize, &usize), other: &dyn Fn(usize) -> Option<Image>, others: f64| {
+                let size = plan.size(side);
+                let (image, wanted) = (images.get(k)?, other(k)?);
+                let classes = classes(self.case, size, true);
+                let hit = |k: usize| classes.get(k) != Some(&Class::Outside);
+                // The same part of the picture at all levels: pixels in those of the coarsest that are smooth.
+                let smooth = |k: usize| is_within(&region, coarsest, size, k);
+                let smooth = norms(image, &wanted, smooth);
+                Some(Level {
+                    count: side,
+                    size: 1.0 / side as f64,
+                    all: norms(image, &wanted, hit),
+                    smooth,
+                    others,
+                    is_clean: others <= TENTH * smooth.l2,
                 })
             };
-            let smooth = norms(&image, &means, smooth);
-            levels.push(Level {
-                count: side,
-                size: 1.0 / side as f64,
-                all: norms(&image, &means, hit),
-                smooth,
-                others,
-                is_clean: others <= TENTH * smooth.l2,
-            });
-        }
+        let levels = |other: &dyn Fn(usize) -> Option<Image>, others: f64| -> Vec<Level> {
+            let counts = plan.pixels.iter().enumerate();
+            counts
+                .filter_map(|count| level(count, other, others))
+                .collect()
+        };
+        let means = |k: usize| Some(exact.means(plan.size(*plan.pixels.get(k)?), MEAN_POINTS));
+        let beside_exact = levels(&means, others);
         let expected = plan.expected[2];
+        let first = fitted(&beside_exact, expected);
+        // The means of the next finer picture's pixels have that picture's errors of step and grid.
+        let finer = |k: usize| Some(means_of(images.get(k + 1)?, images.get(k)?));
+        let differs =
+            !is_settled(first.as_ref()) && plan.pixels.windows(2).all(|w| w[1] == 2 * w[0]);
+        let rounding = ROUNDING * brightest(images.last());
+        let second = if differs {
+            levels(&finer, rounding)
+        } else {
+            Vec::new()
+        };
+        let of_second = fitted(&second, expected);
+        let by_differences = differs && is_settled(of_second.as_ref());
+        let (levels, fit) = if by_differences {
+            (second, of_second)
+        } else {
+            (beside_exact, first)
+        };
         Ok(Measured {
             axis: Axis::Pixel,
-            fit: fitted(&levels, expected),
+            fit,
             orders: orders(&levels),
             levels,
-            by_differences: false,
+            by_differences,
+            changes_nothing: false,
             expected,
             lost: Vec::new(),
             per_pixel: None,
@@ -456,20 +476,11 @@ impl Ladder<'_> {
         let beside_exact = self.levels(|k| Some((self.images.get(k)?, self.wanted)), self.others);
         let clean = beside_exact.iter().filter(|level| level.is_clean).count();
         let first = fitted(&beside_exact, self.expected);
-        let is_settled = |fit: &Option<Fit>| {
-            use crate::convergence::Verdict;
-            fit.as_ref().is_some_and(|fit| {
-                matches!(
-                    fit.verdict,
-                    Verdict::Confirmed | Verdict::TooLow | Verdict::TooHigh | Verdict::Fitted
-                ) || fit.verdict == Verdict::Exact
-            })
-        };
         // Of differences those of the other axes, which stay as they are, are no part.
-        let differs = clean < 4 && !is_settled(&first) && self.others > 0.0;
+        let differs = clean < 4 && !is_settled(first.as_ref()) && self.others > 0.0;
         let levels = if differs {
             {
-                let rounding = ROUNDING * self.brightest();
+                let rounding = ROUNDING * brightest(Some(self.wanted));
                 self.levels(
                     |k| Some((self.images.get(k)?, self.images.get(k + 1)?)),
                     rounding,
@@ -479,7 +490,8 @@ impl Ladder<'_> {
             Vec::new()
         };
         let second = fitted(&levels, self.expected);
-        let by_differences = differs && is_settled(&second);
+        let changes_nothing = changes_nothing(&levels);
+        let by_differences = differs && (changes_nothing || is_settled(second.as_ref()));
         let fit = if by_differences { second } else { first };
         let shown = if by_differences { levels } else { beside_exact };
         let per_pixel = self.per_pixel(by_differences);
@@ -491,6 +503,7 @@ impl Ladder<'_> {
             levels: shown,
             fit,
             by_differences,
+            changes_nothing,
             expected: self.expected,
             per_pixel: Some(per_pixel),
         }
@@ -516,11 +529,6 @@ impl Ladder<'_> {
             })
         };
         self.counts.iter().enumerate().filter_map(level).collect()
-    }
-
-    fn brightest(&self) -> f64 {
-        let values = self.wanted.values.iter();
-        values.fold(0.0, |most: f64, value| most.max(value.abs()))
     }
 
     /// The error of every pixel at one level, the largest of its channels.
@@ -626,6 +634,52 @@ impl Ladder<'_> {
         let all = Class::ALL.into_iter().map(of);
         all.filter(|lost| lost.pixels > 0).collect()
     }
+}
+
+/// Whether an order was found, or that there is nothing left to be one of.
+fn is_settled(fit: Option<&Fit>) -> bool {
+    fit.is_some_and(|fit| fit.verdict.is_of_an_order() || fit.verdict == Verdict::Exact)
+}
+
+/// Whether there are differences, and all of them are rounding.
+fn changes_nothing(differences: &[Level]) -> bool {
+    !differences.is_empty()
+        && differences
+            .iter()
+            .all(|level| level.all.max <= level.others)
+}
+
+fn brightest(image: Option<&Image>) -> f64 {
+    let values = image.into_iter().flat_map(|image| &image.values);
+    values.fold(0.0, |most: f64, value| most.max(value.abs()))
+}
+
+/// Whether a pixel of a picture lies in pixels of a coarser one that are smooth.
+fn is_within(region: &[Class], coarse: [usize; 2], size: [usize; 2], pixel: usize) -> bool {
+    let [column, row] = [pixel % size[0], pixel / size[0]];
+    let span = |place: usize, of: usize, coarse: usize| {
+        let first = place * coarse / of;
+        let last = ((place + 1) * coarse).div_ceil(of).saturating_sub(1);
+        first..=last.min(coarse.saturating_sub(1))
+    };
+    span(row, size[1], coarse[1]).all(|y| {
+        span(column, size[0], coarse[0])
+            .all(|x| region.get(y * coarse[0] + x) == Some(&Class::Smooth))
+    })
+}
+
+/// The means of squares of four pixels, in the size of the coarser picture.
+fn means_of(fine: &Image, coarse: &Image) -> Image {
+    let mut means = coarse.clone();
+    let channels = coarse.channels.len().max(1);
+    for (k, value) in means.values.iter_mut().enumerate() {
+        let (pixel, channel) = (k / channels, k % channels);
+        let (x, y) = (2 * (pixel % coarse.width), 2 * (pixel / coarse.width));
+        let four = [(x, y), (x + 1, y), (x, y + 1), (x + 1, y + 1)];
+        let of = |(x, y)| fine.pixel(x, y).get(channel).copied().unwrap_or(f64::NAN);
+        *value = four.into_iter().map(of).sum::<f64>() / 4.0;
+    }
+    means
 }
 
 /// The order of L2 over smooth pixels.
