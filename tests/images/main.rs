@@ -8,5 +8,6 @@
     clippy::float_cmp
 )]
 
+mod command;
 mod files;
 mod picture;

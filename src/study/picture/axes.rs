@@ -231,6 +231,7 @@ pub fn pictures<P: Progress>(
 ) -> Result<Pictures, RenderError> {
     let exact = ExactPicture::new(case);
     let size = plan.size(plan.side);
+    let of_pixels = classes(case, size, plan.pixel == PixelIs::Mean);
     let name = renderer.name();
     let mut run = Run {
         case,
@@ -244,7 +245,9 @@ pub fn pictures<P: Progress>(
         PixelIs::Centre => exact.centres(size),
         PixelIs::Mean => exact.means(size, MEAN_POINTS),
     };
-    let of_pixels = classes(case, size, plan.pixel == PixelIs::Mean);
+    if of_pixels.iter().all(|class| *class == Class::Outside) {
+        return Err(RenderError::Unseen);
+    }
     let mut by_step = Vec::new();
     for &count in &plan.steps {
         by_step.push(run.render(count, cells, size)?);

@@ -83,6 +83,9 @@ pub enum RenderError {
     /// What it wrote is no picture, or not the one that was asked for.
     #[error("{0}")]
     Picture(String),
+    /// Nobody sees the volume.
+    #[error("no ray of the picture meets the volume (allowed: a camera that sees it)")]
+    Unseen,
     /// A file that it is given could not be written.
     #[error("{0}")]
     Given(String),
