@@ -11,9 +11,10 @@
 //! A [`study`] runs many; [`report`] makes a [`document`] of what came out, which [`render`] shows in any format. A `scene` is a
 //! ray as users have it, and a plan the least that it needs. A [`proof`] says a case to the proof assistant Coq.
 //! A module uses only those that stand before it: `real`, `symbolic`, `case`, `proof`, `scene`, `quadrature`, `method`, `kernel`,
-//! `reference`, `confirm`, `convergence`, `identify`, `study`, `document`, `render`, `report`, `assert`.
+//! `reference`, `confirm`, `convergence`, `identify`, `study`, `document`, `render`, `report`, `assert`; beside them `volume` and `image`, and
+//! `raycast`, a renderer, behind these and `method`.
 //!
-//! The feature `studies` has the modules `scene` and `proof`, all of `study` and `report` but the verification of kernels, and
+//! The feature `studies` has the modules `scene`, `proof`, `volume`, `image` and `raycast`, all of `study` and `report` but the verification of kernels, and
 //! what only these need; the feature `half` has `f16` and `bf16` as the crate of that name computes them, and not emulated; the
 //! feature `cli`, on by default, has both and the program.
 //!
@@ -59,6 +60,8 @@ mod parallel;
 #[cfg(feature = "studies")]
 pub mod proof;
 pub mod quadrature;
+#[cfg(feature = "studies")]
+pub mod raycast;
 pub mod real;
 pub mod reference;
 pub mod render;

@@ -39,6 +39,10 @@ pub trait Lanes:
     /// Where the row has room for fewer.
     fn store(self, row: &mut [Self::Element]);
 
+    /// Every second number of these and of those behind them, from the first on, and from the second on.
+    #[must_use]
+    fn unzipped(self, behind: Self) -> (Self, Self);
+
     /// The bits of each number, shifted towards the sign.
     #[must_use]
     fn shifted(self, places: u32) -> Self;
@@ -48,6 +52,13 @@ pub trait Lanes:
     /// The numbers, their signs turned where `sign` is −0, which is +0 elsewhere.
     #[must_use]
     fn turned(self, sign: Self) -> Self;
+
+    /// The smaller one of two numbers; any of both where one is not a number, and of 0 and −0.
+    #[must_use]
+    fn least(self, other: Self) -> Self;
+    /// The larger one, likewise.
+    #[must_use]
+    fn most(self, other: Self) -> Self;
 
     /// a < b.
     fn below(self, other: Self) -> Self::Mask;
@@ -99,6 +110,10 @@ macro_rules! one {
                 row[0] = self;
             }
             #[inline(always)]
+            fn unzipped(self, behind: Self) -> (Self, Self) {
+                (self, behind)
+            }
+            #[inline(always)]
             fn shifted(self, places: u32) -> Self {
                 <$float>::from_bits(self.to_bits() << places)
             }
@@ -112,6 +127,14 @@ macro_rules! one {
             #[inline(always)]
             fn turned(self, sign: Self) -> Self {
                 <$float>::from_bits(self.to_bits() ^ sign.to_bits())
+            }
+            #[inline(always)]
+            fn least(self, other: Self) -> Self {
+                if other < self { other } else { self }
+            }
+            #[inline(always)]
+            fn most(self, other: Self) -> Self {
+                if self < other { other } else { self }
             }
             #[inline(always)]
             fn below(self, other: Self) -> bool {
@@ -194,6 +217,11 @@ where
         self.0.store_slice(&mut row[..V::LEN]);
     }
     #[inline(always)]
+    fn unzipped(self, behind: Self) -> (Self, Self) {
+        let (even, odd) = self.0.deinterleave(behind.0);
+        (Vector(even, PhantomData), Vector(odd, PhantomData))
+    }
+    #[inline(always)]
     fn shifted(self, places: u32) -> Self {
         Vector(V::from_bits(self.0.to_bits() << places), PhantomData)
     }
@@ -209,6 +237,14 @@ where
             V::from_bits(self.0.to_bits() ^ sign.0.to_bits()),
             PhantomData,
         )
+    }
+    #[inline(always)]
+    fn least(self, other: Self) -> Self {
+        Vector(self.0.min(other.0), PhantomData)
+    }
+    #[inline(always)]
+    fn most(self, other: Self) -> Self {
+        Vector(self.0.max(other.0), PhantomData)
     }
     #[inline(always)]
     fn below(self, other: Self) -> V::Mask {
@@ -278,6 +314,12 @@ impl<L: Lanes> Lanes for Pair<L> {
         self.1.store(&mut row[L::WIDTH..]);
     }
     #[inline(always)]
+    fn unzipped(self, behind: Self) -> (Self, Self) {
+        let (even, odd) = self.0.unzipped(self.1);
+        let (even_behind, odd_behind) = behind.0.unzipped(behind.1);
+        (Pair(even, even_behind), Pair(odd, odd_behind))
+    }
+    #[inline(always)]
     fn shifted(self, places: u32) -> Self {
         Pair(self.0.shifted(places), self.1.shifted(places))
     }
@@ -288,6 +330,14 @@ impl<L: Lanes> Lanes for Pair<L> {
     #[inline(always)]
     fn turned(self, sign: Self) -> Self {
         Pair(self.0.turned(sign.0), self.1.turned(sign.1))
+    }
+    #[inline(always)]
+    fn least(self, other: Self) -> Self {
+        Pair(self.0.least(other.0), self.1.least(other.1))
+    }
+    #[inline(always)]
+    fn most(self, other: Self) -> Self {
+        Pair(self.0.most(other.0), self.1.most(other.1))
     }
     #[inline(always)]
     fn below(self, other: Self) -> Self::Mask {
