@@ -10,10 +10,10 @@
 //! [`identify`] reads off what it computes; [`assert_order!`] is that test in three lines.
 //! A [`study`] runs many; [`report`] makes a [`document`] of what came out, which [`render`] shows in any format. A `scene` is a
 //! ray as users have it, and a plan the least that it needs. A [`proof`] says a case to the proof assistant Coq.
-//! A module uses only those that stand before it: `real`, `symbolic`, `case`, `proof`, `scene`, `volume`, `image`, `quadrature`, `method`, `kernel`,
-//! `reference`, `confirm`, `convergence`, `identify`, `study`, `document`, `render`, `report`, `assert`.
+//! A module uses only those that stand before it: `real`, `symbolic`, `volume`, `image`, `case`, `proof`, `scene`, `quadrature`, `method`,
+//! `raycast`, `kernel`, `reference`, `confirm`, `convergence`, `identify`, `study`, `document`, `render`, `report`, `assert`.
 //!
-//! The feature `studies` has the modules `scene`, `proof`, `volume` and `image`, all of `study` and `report` but the verification of kernels, and
+//! The feature `studies` has the modules `scene`, `proof`, `volume`, `image` and `raycast`, all of `study` and `report` but the verification of kernels, and
 //! what only these need; the feature `half` has `f16` and `bf16` as the crate of that name computes them, and not emulated; the
 //! feature `cli`, on by default, has both and the program.
 //!

@@ -68,28 +68,24 @@ impl<L: Lanes> Rays<L> {
     /// Where segment k has a sample, in steps: at a part of it. Behind the end all segments are there, and have no length.
     #[inline(always)]
     pub(super) fn sample(self, k: L, offset: L) -> L {
-        let front = least(k, self.end);
-        let back = least(k + k.all(L::Element::ONE), self.end);
+        let front = k.least(self.end);
+        let back = (k + k.all(L::Element::ONE)).least(self.end);
         front + offset * (back - front)
     }
 
     /// The length of segment k.
     #[inline(always)]
     pub(super) fn segment(self, k: L) -> L {
-        let front = least(k, self.end);
-        let back = least(k + k.all(L::Element::ONE), self.end);
+        let front = k.least(self.end);
+        let back = (k + k.all(L::Element::ONE)).least(self.end);
         (back - front) * self.length
     }
 }
 
-/// The smaller one; a where one of them is not a number.
+/// The number, where there is one lane.
 #[inline(always)]
-pub(super) fn least<L: Lanes>(a: L, b: L) -> L {
-    L::select(b.below(a), b, a)
-}
-
-/// The larger one; a where one of them is not a number.
-#[inline(always)]
-pub(super) fn most<L: Lanes>(a: L, b: L) -> L {
-    L::select(a.below(b), b, a)
+pub(super) fn alone<L: Lanes>(lane: L) -> L::Element {
+    let mut number = [L::Element::ZERO];
+    lane.store(&mut number);
+    number[0]
 }

@@ -4,7 +4,7 @@ mod cubic;
 mod linear;
 mod nearest;
 
-use super::bundle::{Bundle, Rays, least, most};
+use super::bundle::{Bundle, Rays};
 use super::number::{Number, Sample};
 use crate::real::lanes::{LaneFloat, Lanes, MOST, WithLanes};
 use std::fmt;
@@ -148,7 +148,7 @@ impl<L: Lanes> March<L> {
 /// x from 0 to the last sample's place, where rounding has led out of the box.
 #[inline(always)]
 fn inside<L: Lanes>(x: L, last: L) -> L {
-    least(most(x, x.all(L::Element::ZERO)), last)
+    x.most(x.all(L::Element::ZERO)).least(last)
 }
 
 /// The integer nearest to x, as it is and with the index in its bits.

@@ -1,6 +1,6 @@
 //! Transfer functions in the numbers of rays.
 
-use super::bundle::{least, most};
+use super::bundle::alone;
 use super::number::Number;
 use crate::real::lanes::{Lanes, MOST};
 use crate::volume::{ControlPoint, TransferFunction};
@@ -28,6 +28,9 @@ struct Piece<T, const C: usize> {
     extinction: [T; 2],
     emission: [[T; 2]; C],
 }
+
+/// A piece for each lane: its s and inverse, τ and C at both of its ends.
+type Chosen<L, const C: usize> = (L, L, [L; 2], [[L; 2]; C]);
 
 /// τ and C.
 #[derive(Clone, Copy)]
@@ -75,14 +78,19 @@ impl<T: Number, const C: usize> Table<T, C> {
     #[inline(always)]
     pub(super) fn at<L: Lanes<Element = T>>(&self, s: L) -> Values<L, C> {
         // Infinite values are held; what is no number stays none.
-        let s = least(most(s, s.all(self.low)), s.all(self.high));
-        let (from, inverse, extinction, emission) = if L::WIDTH == 1 || self.others.len() > FEW {
+        let (low, high) = (s.all(self.low), s.all(self.high));
+        let s = L::select(s.below(low), low, s);
+        let s = L::select(high.below(s), high, s);
+        let (from, inverse, extinction, emission) = if L::WIDTH == 1 {
+            self.piece(alone(s)).everywhere(s)
+        } else if self.others.len() > FEW {
             self.searched(s)
         } else {
             self.chosen(s)
         };
         let one = s.all(T::ONE);
-        let part = least((s - from) * inverse, one);
+        let part = (s - from) * inverse;
+        let part = L::select(one.below(part), one, part);
         let rest = one - part;
         let mut values = Values {
             extinction: extinction[0] * rest + extinction[1] * part,
@@ -96,16 +104,8 @@ impl<T: Number, const C: usize> Table<T, C> {
 
     /// Every piece, one over the other.
     #[inline(always)]
-    fn chosen<L: Lanes<Element = T>>(&self, s: L) -> (L, L, [L; 2], [[L; 2]; C]) {
-        let first = &self.first;
-        let mut from = s.all(first.s);
-        let mut inverse = s.all(first.inverse);
-        let [near, far] = first.extinction;
-        let mut extinction = [s.all(near), s.all(far)];
-        let mut emission = [[s; 2]; C];
-        for (lanes, [near, far]) in emission.iter_mut().zip(first.emission) {
-            *lanes = [s.all(near), s.all(far)];
-        }
+    fn chosen<L: Lanes<Element = T>>(&self, s: L) -> Chosen<L, C> {
+        let (mut from, mut inverse, mut extinction, mut emission) = self.first.everywhere(s);
         for piece in &self.others {
             let start = s.all(piece.s);
             let is_before = s.below(start);
@@ -128,7 +128,7 @@ impl<T: Number, const C: usize> Table<T, C> {
 
     /// The piece of each lane, lane by lane.
     #[inline(always)]
-    fn searched<L: Lanes<Element = T>>(&self, s: L) -> (L, L, [L; 2], [[L; 2]; C]) {
+    fn searched<L: Lanes<Element = T>>(&self, s: L) -> Chosen<L, C> {
         let row = [T::ZERO; MOST];
         let mut places = row;
         s.store(&mut places);
@@ -181,5 +181,22 @@ impl<T: Number, const C: usize> Piece<T, C> {
             extinction: [T::rounded(near.extinction), T::rounded(far.extinction)],
             emission: std::array::from_fn(|c| [of(near, channel + c), of(far, channel + c)]),
         }
+    }
+
+    /// The same for all lanes.
+    #[inline(always)]
+    fn everywhere<L: Lanes<Element = T>>(&self, zero: L) -> Chosen<L, C> {
+        let [near, far] = self.extinction;
+        let mut emission = [[zero; 2]; C];
+        for (lanes, [near, far]) in emission.iter_mut().zip(self.emission) {
+            *lanes = [zero.all(near), zero.all(far)];
+        }
+        let extinction = [zero.all(near), zero.all(far)];
+        (
+            zero.all(self.s),
+            zero.all(self.inverse),
+            extinction,
+            emission,
+        )
     }
 }

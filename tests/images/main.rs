@@ -1,4 +1,4 @@
-//! Volumes and pictures: their files.
+//! Volumes and pictures: their files, the library's renderer, renderers put to the test.
 
 // A test may stop, and its numbers are often exact.
 #![allow(
@@ -11,3 +11,4 @@
 mod command;
 mod files;
 mod picture;
+mod raycast;

@@ -1,6 +1,5 @@
 //! Lagrange's cubic along each axis.
 
-use super::super::bundle::{least, most};
 use super::super::number::{Number, Sample};
 use super::{Field, March, indices, nearest_integer};
 use crate::real::lanes::{LaneFloat, Lanes, MOST};
@@ -44,7 +43,7 @@ fn weights<L: Lanes<Element: Number>>(x: L, last: L, place: &mut [L::Element]) -
     let half = x.all(L::Element::HALF);
     let zero = x.all(L::Element::ZERO);
     let two = one + one;
-    let (first, shifted) = nearest_integer(least(most(x - one - half, zero), last));
+    let (first, shifted) = nearest_integer((x - one - half).most(zero).least(last));
     shifted.store(place);
     let a = x - first;
     let (b, c, d) = (a - one, a - two, a - two - one);

@@ -1,6 +1,6 @@
 //! Linear along each axis.
 
-use super::super::bundle::least;
+use super::super::bundle::alone;
 use super::super::number::{Number, Sample};
 use super::{Field, March, between, nearest_integer};
 use crate::real::lanes::{LaneFloat, Lanes, MOST};
@@ -35,10 +35,8 @@ pub(super) fn along<L: Lanes<Element: Number>, S: Sample>(
     };
     let last_cell = field.last(march.k, 1);
     if L::WIDTH == 1 {
-        for value in values.chunks_exact_mut(1) {
-            let mut cells = Cells::EMPTY;
-            edges.fetch(march.step(), last_cell, &mut cells);
-            interpolate(march.k, &cells).store(value);
+        for value in values {
+            *value = edges.of_one(march.step(), last_cell);
         }
         return;
     }
@@ -99,8 +97,8 @@ impl<'v, S: Sample> Edges<'v, S> {
             let (width, height) = (x.all(count(self.width)), x.all(count(self.height)));
             let (_, shifted) = nearest_integer(i + width * (j + height * k));
             shifted.store(&mut places[0]);
-            for lane in 0..L::WIDTH {
-                self.fetch_one(places[0][lane].index(), lane, cells);
+            for (lane, place) in places[0].iter().enumerate().take(L::WIDTH) {
+                self.fetch_one(place.index(), lane, cells);
             }
         } else {
             from_x.store(&mut places[0]);
@@ -111,6 +109,30 @@ impl<'v, S: Sample> Edges<'v, S> {
                 self.fetch_one(i + self.width * (j + self.height * k), lane, cells);
             }
         }
+    }
+
+    /// The value at the place of one ray, for which nothing is laid out side by side.
+    #[inline(always)]
+    fn of_one<T: Number, L: Lanes<Element = T>>(&self, [x, y, z]: [L; 3], last: [L; 3]) -> T {
+        let [(_, x, i), (_, y, j), (_, z, k)] = [
+            cell(alone(x), alone(last[0])),
+            cell(alone(y), alone(last[1])),
+            cell(alone(z), alone(last[2])),
+        ];
+        let first = i.index() + self.width * (j.index() + self.height * k.index());
+        let edge = |samples: &[S]| match samples.get(first..first + 2) {
+            Some(&[near, far]) => {
+                let [near, far] = [near, far].map(T::rounded);
+                between(x, near, far)
+            }
+            _ => T::nan(),
+        };
+        let [a, b, c, d] = self.samples;
+        between(
+            z,
+            between(y, edge(a), edge(b)),
+            between(y, edge(c), edge(d)),
+        )
     }
 
     #[inline(always)]
@@ -128,7 +150,7 @@ impl<'v, S: Sample> Edges<'v, S> {
 /// place between them belongs to is all the same.
 #[inline(always)]
 fn cell<L: Lanes<Element: Number>>(x: L, last: L) -> (L, L, L) {
-    let (cell, shifted) = nearest_integer(least(x - x.all(L::Element::HALF), last));
+    let (cell, shifted) = nearest_integer((x - x.all(L::Element::HALF)).least(last));
     (cell, x - cell, shifted)
 }
 

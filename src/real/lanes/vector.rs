@@ -53,6 +53,13 @@ pub trait Lanes:
     #[must_use]
     fn turned(self, sign: Self) -> Self;
 
+    /// The smaller one of two numbers; any of both where one is not a number, and of 0 and −0.
+    #[must_use]
+    fn least(self, other: Self) -> Self;
+    /// The larger one, likewise.
+    #[must_use]
+    fn most(self, other: Self) -> Self;
+
     /// a < b.
     fn below(self, other: Self) -> Self::Mask;
     /// |a| ≤ b.
@@ -120,6 +127,14 @@ macro_rules! one {
             #[inline(always)]
             fn turned(self, sign: Self) -> Self {
                 <$float>::from_bits(self.to_bits() ^ sign.to_bits())
+            }
+            #[inline(always)]
+            fn least(self, other: Self) -> Self {
+                if other < self { other } else { self }
+            }
+            #[inline(always)]
+            fn most(self, other: Self) -> Self {
+                if self < other { other } else { self }
             }
             #[inline(always)]
             fn below(self, other: Self) -> bool {
@@ -224,6 +239,14 @@ where
         )
     }
     #[inline(always)]
+    fn least(self, other: Self) -> Self {
+        Vector(self.0.min(other.0), PhantomData)
+    }
+    #[inline(always)]
+    fn most(self, other: Self) -> Self {
+        Vector(self.0.max(other.0), PhantomData)
+    }
+    #[inline(always)]
     fn below(self, other: Self) -> V::Mask {
         self.0.simd_lt(other.0)
     }
@@ -307,6 +330,14 @@ impl<L: Lanes> Lanes for Pair<L> {
     #[inline(always)]
     fn turned(self, sign: Self) -> Self {
         Pair(self.0.turned(sign.0), self.1.turned(sign.1))
+    }
+    #[inline(always)]
+    fn least(self, other: Self) -> Self {
+        Pair(self.0.least(other.0), self.1.least(other.1))
+    }
+    #[inline(always)]
+    fn most(self, other: Self) -> Self {
+        Pair(self.0.most(other.0), self.1.most(other.1))
     }
     #[inline(always)]
     fn below(self, other: Self) -> Self::Mask {
