@@ -16,7 +16,7 @@ path = convert.path
 random = np.random.default_rng(25)
 # (x, y, z): more than ten along x, as VTK's reader of NRRD wants it, and no axis like another.
 SIZE = (12, 5, 3)
-ORIGIN = (0.1, -2.0 / 3.0, 1e-3)
+ORIGIN = (0.1, -2.0 / 3.0, 1e-7)
 SPACING = (0.1, 1.0 / 3.0, 2.5)
 
 

@@ -91,6 +91,24 @@ fn arrays_of_vti_in_every_form() {
     is_right(&volume("a.vti", vti("", &ascii, "")).unwrap());
 }
 
+/// A file is read in pieces of 2^20 bytes until the tag of appended data is found, wherever the piece ends.
+#[test]
+fn a_tag_that_two_pieces_share() {
+    let array = "<DataArray type=\"Int16\" Name=\"a\" format=\"appended\" offset=\"0\"/>";
+    let head = "byte_order=\"BigEndian\"";
+    let data = base64(&[&12_u32.to_be_bytes()[..], &big()].concat());
+    let text = vti(
+        head,
+        array,
+        &format!("<AppendedData encoding=\"base64\">   _{data}</AppendedData>"),
+    );
+    let (before, after) = text.split_once("<AppendedData").unwrap();
+    for cut in [0, 1, 7, 12, 13, 20, 34, 36, 37] {
+        let padding = " ".repeat((1 << 20) - before.len() - cut);
+        is_right(&volume("a.vti", format!("{before}{padding}<AppendedData{after}")).unwrap());
+    }
+}
+
 #[test]
 fn the_array_that_is_meant() {
     let array = |name: &str, value: u8| {

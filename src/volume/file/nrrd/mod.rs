@@ -53,7 +53,7 @@ fn data(
         }
     };
     for _ in 0..header.count("line skip")?.unwrap_or(0) {
-        if file.line(usize::MAX)?.is_none() {
+        if file.line(1 << 20)?.is_none() {
             break;
         }
     }
@@ -88,6 +88,7 @@ fn data(
         }
         "ascii" | "txt" | "text" => {
             file.go_to(file.at().saturating_add(skip))?;
+            memory.check(usize::try_from(file.left()).unwrap_or(usize::MAX), 1)?;
             let bytes = input::bytes(file, memory.most());
             let bytes =
                 bytes.map_err(|error| refused(error.to_string(), "a file that can be read"))?;

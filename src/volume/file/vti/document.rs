@@ -1,7 +1,6 @@
 //! The text of a `.vti`, apart from the bytes that may be appended to it, which are no XML.
 
 use crate::binary::{Bytes, Memory, Trouble, open, refused};
-use std::borrow::Cow;
 use std::io::Read;
 use std::path::Path;
 
@@ -25,17 +24,22 @@ impl Document {
     pub(super) fn read(path: &Path, memory: Memory) -> Result<Document, Trouble> {
         let mut file = open(path)?;
         let mut head: Vec<u8> = Vec::new();
+        // From where on the tag may begin.
+        let mut from = 0;
         loop {
-            memory.check(head.len() + CHUNK, 1)?;
-            let from = head.len();
+            let before = head.len();
             (&mut file).take(CHUNK as u64).read_to_end(&mut head)?;
-            let ended = head.len() == from;
-            let Some(at) = find(&head, from.saturating_sub(APPENDED.len()), APPENDED) else {
+            memory.check(head.len(), 1)?;
+            let ended = head.len() == before;
+            let Some(at) = find(&head, from, APPENDED) else {
                 if ended {
                     break;
                 }
+                // Its first letters may be the last ones here.
+                from = (head.len() + 1).saturating_sub(APPENDED.len());
                 continue;
             };
+            from = at;
             let tag = find(&head, at, b">").map(|end| end + 1);
             let mark = tag.and_then(|end| find(&head, end, b"_"));
             let (Some(tag), Some(mark)) = (tag, mark) else {
@@ -45,7 +49,6 @@ impl Document {
                         "'_' before them",
                     ));
                 }
-                // It goes on in the next chunk, in which the tag is found again.
                 continue;
             };
             head.truncate(tag);
@@ -64,10 +67,8 @@ impl Document {
     }
 
     /// The text, without what is appended.
-    pub(super) fn text(&mut self) -> Result<Cow<'static, str>, Trouble> {
-        let head = std::mem::take(&mut self.head);
-        String::from_utf8(head)
-            .map(Cow::Owned)
+    pub(super) fn text(&mut self) -> Result<String, Trouble> {
+        String::from_utf8(std::mem::take(&mut self.head))
             .map_err(|_| refused("a header that is no text in UTF-8", "XML in UTF-8"))
     }
 }

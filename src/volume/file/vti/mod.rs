@@ -14,7 +14,7 @@ use std::path::Path;
 pub(super) fn read(path: &Path, wanted: Option<&str>, memory: Memory) -> Result<Grid, Trouble> {
     let mut file = Document::read(path, memory)?;
     let text = file.text()?;
-    let tree = document::parsed(text.as_ref())?;
+    let tree = document::parsed(&text)?;
     let root = tree.root_element();
     if !root.has_tag_name("VTKFile") || root.attribute("type") != Some("ImageData") {
         let kind = root.attribute("type").unwrap_or(root.tag_name().name());
