@@ -2,11 +2,13 @@
 
 use super::{Failure, Outcome, write_out};
 use clap::{Args, ValueEnum};
+use volver::case::volume::VolumeFile;
 use volver::kernel::process;
 use volver::report;
 use volver::scene::SceneFile;
 use volver::study::plan::StoredPlan;
 use volver::study::sweep::StudyFile;
+use volver::volume::file::{CameraFile, TransferFile};
 
 const EXAMPLES: &str = "\
 A JSON Schema of draft 2020-12; editors that know TOML take it as well.
@@ -31,6 +33,9 @@ pub(crate) struct Schema {
 enum Name {
     Study,
     Scene,
+    Volume,
+    Transfer,
+    Camera,
     Plan,
     Protocol,
     Verify,
@@ -44,6 +49,9 @@ enum Name {
 const ALL: &str = "\
 study     the file that 'volver study' takes
 scene     a scene.toml, for 'volver plan' and 'volver render'
+volume    a volume by formulas, for 'volver image'
+transfer  the transfer functions that 'volver image' hands to renderers
+camera    the camera that it hands to them
 plan      what 'volver plan --json' writes and 'volver render --plan' reads
 protocol  what a kernel in a process of its own and volver say to each other
 verify, identify, fit, gradient-test, reference
@@ -61,6 +69,9 @@ impl Schema {
             }
             Some(Name::Study) => StudyFile::schema(),
             Some(Name::Scene) => SceneFile::schema(),
+            Some(Name::Volume) => VolumeFile::schema(),
+            Some(Name::Transfer) => TransferFile::schema(),
+            Some(Name::Camera) => CameraFile::schema(),
             Some(Name::Plan) => StoredPlan::schema(),
             Some(Name::Protocol) => process::schema(),
             Some(Name::Verify) => report::verify::schema(),

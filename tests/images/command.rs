@@ -1,12 +1,11 @@
 //! `volver image`: what renderers do wrong, in one line each.
 
-use assert_cmd::Command;
 use std::fs;
 use std::path::Path;
 use volver::image::{Image, file};
 
 fn volver(arguments: &[&str]) -> (i32, String, String) {
-    let done = Command::from(assert_cmd::cargo::cargo_bin_cmd!("volver"))
+    let done = assert_cmd::cargo::cargo_bin_cmd!("volver")
         .args(arguments)
         .output()
         .unwrap();

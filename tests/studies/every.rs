@@ -44,6 +44,10 @@ pub(crate) fn commands() -> Vec<(&'static str, &'static str)> {
         ),
         ("check base.json method:tree/middle/expm1", ""),
         ("identify method:tree/middle/expm1", ""),
+        (
+            "image ramp --axes step --cells 4 --steps 8,16,32,64 --side 8 raycast:linear/trapezoid/trapezoid",
+            "",
+        ),
         ("ask vacuum -n 2", ""),
         ("new python kernel", ""),
         ("reproduce --table 2 --levels 8..64", ""),

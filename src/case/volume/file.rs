@@ -43,6 +43,14 @@ pub struct VolumeFile {
     pub camera: Spanned<CameraFile>,
 }
 
+impl VolumeFile {
+    /// The JSON Schema of such files.
+    #[must_use]
+    pub fn schema() -> serde_json::Value {
+        schemars::schema_for!(VolumeFile).to_value()
+    }
+}
+
 /// Two corners.
 #[derive(Clone, Copy, Debug, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields)]
