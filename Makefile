@@ -1,6 +1,6 @@
 # What a stranger runs and what CI runs are the same commands.
 
-.PHONY: reproduce test library thorough attack proofs mutants lint kernels page docs python formats engines gallery flint bench setup
+.PHONY: reproduce test library thorough attack proofs mutants lint kernels renderers page docs python formats engines gallery flint bench setup
 .DEFAULT_GOAL := reproduce
 
 # The main job: the paper's tables, measured again, and what lies beyond them; the report goes to reproduction/.
@@ -45,6 +45,10 @@ lint: setup
 # volver verify, for real: the kernels of examples/kernels, VTK's among them, which it installs from PyPI under target/.
 kernels: setup
 	examples/kernels/check
+
+# volver image, for real: a marcher in NumPy, and VTK's two mappers of volumes, which it installs from PyPI under target/.
+renderers: setup
+	examples/renderers/check
 
 # The page of every --out directory, read in headless Chromium, which is Debian's package; installs it where it is missing.
 page: setup

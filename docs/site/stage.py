@@ -23,7 +23,7 @@ REFERENCE = [
     "nonsmooth", "stress", "scale", "python", "trust", "benchmarks", "architecture", "contributing",
 ]  # fmt: skip
 MOST = 30
-TUTORIALS = ["function", "python", "cpp", "rust", "which-error", "how-many-bits", "gradients", "ci"]
+TUTORIALS = ["function", "python", "cpp", "rust", "volume", "which-error", "how-many-bits", "gradients", "ci"]
 
 
 class Stage:
