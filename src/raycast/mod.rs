@@ -62,6 +62,7 @@ mod integrate;
 mod interpolate;
 mod nodes;
 mod number;
+mod row;
 mod rows;
 mod span;
 mod table;

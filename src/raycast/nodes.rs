@@ -3,7 +3,7 @@
 use super::bundle::Bundle;
 use super::interpolate::{Along, Field};
 use super::number::{Number, Sample};
-use super::rows::Row;
+use super::row::Row;
 use super::span::{Span, Steps};
 use super::table::{Table, Values};
 use super::{RaycastError, Raycaster};

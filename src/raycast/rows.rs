@@ -5,6 +5,7 @@ use super::integrate::{Integrate, State};
 use super::interpolate::{Along, Field};
 use super::nodes;
 use super::number::{Number, Sample};
+use super::row::Row;
 use super::span::{Frame, Span};
 use super::table::Table;
 use super::way::Way;
@@ -17,14 +18,6 @@ use std::sync::{Mutex, PoisonError};
 
 /// Samples that are interpolated before they are integrated, of all lanes together: few enough for a processor's first cache.
 const BLOCK: usize = 4096;
-
-/// A row of pixels to be filled.
-pub(super) struct Row<'r> {
-    pub(super) spans: &'r [Option<Span>],
-    /// All channels of a pixel side by side.
-    pub(super) values: &'r mut [f64],
-    pub(super) channels: usize,
-}
 
 pub(super) fn render(
     raycaster: &Raycaster<'_>,

@@ -139,8 +139,8 @@ impl Renderer for Faulty {
         "faulty".into()
     }
 
-    fn segment(&self, length: f64, step: f64) -> f64 {
-        self.own.segment(length, step)
+    fn has_equal_segments(&self) -> Option<bool> {
+        self.own.has_equal_segments()
     }
 
     fn render(&mut self, asked: &Asked<'_>) -> Result<Rendered, RenderError> {

@@ -58,6 +58,7 @@ fn of_axis(measured: &Measured) -> Tone {
     }
     match measured.fit.as_ref().map(|fit| fit.verdict) {
         Some(Verdict::Confirmed | Verdict::Exact | Verdict::Fitted) => Tone::Good,
+        Some(Verdict::TooLow) if is_of_kinks(measured) => Tone::Open,
         Some(Verdict::TooLow | Verdict::Stalled | Verdict::Diverged | Verdict::NotFinite) => {
             Tone::Bad
         }
@@ -66,6 +67,16 @@ fn of_axis(measured: &Measured) -> Tone {
         Some(Verdict::TooHigh) => Tone::Good,
         _ => Tone::Open,
     }
+}
+
+/// Whether kinks between cells of the grid may be what leaves steps an order of 2: they are all that steps finer than cells
+/// see of a method of a higher order.
+fn is_of_kinks(measured: &Measured) -> bool {
+    let order = measured.fit.as_ref().and_then(|fit| fit.order);
+    measured.axis == Axis::Step
+        && measured.by_differences
+        && measured.expected.is_some_and(|expected| expected > 2.0)
+        && order.is_some_and(|order| order > 1.5)
 }
 
 /// Orders and verdicts, the levels of every axis, where orders are lost, pictures, what a wrong one is like.
@@ -193,8 +204,11 @@ fn table(axes: &[Measured]) -> Table {
 
 /// A word of its own for what is no fit's.
 fn own_word(axis: &Measured) -> Option<&'static str> {
+    let verdict = axis.fit.as_ref().map(|fit| fit.verdict);
     if axis.changes_nothing {
         Some("no error")
+    } else if verdict == Some(Verdict::Stalled) {
+        None
     } else {
         axis.falls_short().map(|_| "falls short")
     }
@@ -212,6 +226,12 @@ fn limited(axis: &Measured) -> Option<String> {
             "{}: refining it changes nothing beyond rounding.",
             axis.axis.name()
         ));
+    }
+    if is_of_kinks(axis) && of_axis(axis) == Tone::Open {
+        return Some(
+            "step: kinks where interpolants of cells meet leave steps finer than cells an order of 2, whatever the method has (allowed: --steps that are coarser, --cells that are more)."
+                .into(),
+        );
     }
     if axis.by_differences {
         return Some(format!(

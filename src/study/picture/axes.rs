@@ -120,6 +120,8 @@ pub struct Measured {
     pub by_differences: bool,
     /// What was expected.
     pub expected: Option<f64>,
+    /// The size of steps is that of equal segments: known, or because errors fall more steadily in it.
+    pub equal_segments: bool,
     /// Refining it changes nothing beyond rounding: it has no error here.
     pub changes_nothing: bool,
     /// Where the order is lost.
@@ -133,23 +135,35 @@ pub struct Measured {
 }
 
 impl Measured {
-    /// Orders of the last refinements, coarse to fine, where they fall from one to the next and end more than a half below
-    /// what is expected, though the errors of the other axes are small: no window shows what they fall to, and they do not
-    /// rise to what is expected.
+    /// Orders of the last three refinements, coarse to fine, where they do not go to what is expected, though there is no
+    /// window and the errors of the other axes are small: more than a half below, they fall, go up and down, or rise by less and less
+    /// to a limit that is below as well (Aitken's).
     #[must_use]
     pub fn falls_short(&self) -> Option<[f64; 3]> {
         let [.., a, b, c, d] = self.levels.as_slice() else {
             return None;
         };
-        let expected = self.expected?;
+        let least = self.expected? - HALF;
         let order = |coarse: &Level, fine: &Level| {
             let error = (coarse.smooth.l2 / fine.smooth.l2).ln();
             error / (coarse.size / fine.size).ln()
         };
         let orders = [order(a, b), order(b, c), order(c, d)];
         let [first, second, third] = orders;
-        let falls = first > second && second > third && third < expected - HALF;
-        (falls && [a, b, c, d].iter().all(|level| level.is_clean)).then_some(orders)
+        let (before, now) = (second - first, third - second);
+        let limit = if now <= 0.0 && before <= 0.0 {
+            third
+        } else if now > 0.0 && before > 0.0 {
+            if now < before {
+                third + now * now / (before - now)
+            } else {
+                f64::INFINITY
+            }
+        } else {
+            first.max(second).max(third)
+        };
+        let is_clean = [a, b, c, d].iter().all(|level| level.is_clean);
+        (is_clean && limit < least).then_some(orders)
     }
 }
 
@@ -266,10 +280,12 @@ pub fn pictures<P: Progress>(
     let of_step = left(&by_step, &plan.steps, plan.expected[0]);
     let of_grid = left(&by_grid, &plan.cells, plan.expected[1]);
     let steps_of = |count: &usize| diagonal(case) / *count as f64;
-    let of_steps = plan.steps.iter().map(steps_of);
-    let of_steps: Vec<f64> = of_steps
-        .map(|step| run.segment(size, &of_pixels, step))
+    let of_steps: Vec<f64> = plan.steps.iter().map(steps_of).collect();
+    let equal = of_steps.iter();
+    let equal: Vec<f64> = equal
+        .map(|step| equal_segments(case, size, &of_pixels, *step))
         .collect();
+    let has_equal = run.renderer.has_equal_segments();
     let of_cells = plan.cells.iter().map(|cells| longest(case) / *cells as f64);
     let of_cells: Vec<f64> = of_cells.collect();
     let floor = run.quantum.map_or(0.0, |quantum| quantum / 2.0);
@@ -283,10 +299,34 @@ pub fn pictures<P: Progress>(
             wanted: &wanted,
             classes: &of_pixels,
             others: of_grid + floor,
-            sizes: &of_steps,
+            sizes: if has_equal == Some(true) {
+                &equal
+            } else {
+                &of_steps
+            },
             expected: plan.expected[0],
         };
-        measured.push(ladder.measured());
+        let own = ladder.measured();
+        // What nobody knows shows in how steadily errors fall.
+        let is_open = has_equal.is_none() && !own.changes_nothing && !is_settled(own.fit.as_ref());
+        let other = is_open.then(|| {
+            Ladder {
+                sizes: &equal,
+                ..ladder
+            }
+            .measured()
+        });
+        let other = other.filter(|other| is_settled(other.fit.as_ref()));
+        measured.push(match other {
+            Some(other) => Measured {
+                equal_segments: true,
+                ..other
+            },
+            None => Measured {
+                equal_segments: has_equal == Some(true),
+                ..own
+            },
+        });
     }
     if shown(Axis::Grid) {
         let ladder = Ladder {
@@ -335,6 +375,26 @@ fn longest(case: &VolumeCase) -> f64 {
     sides.into_iter().fold(0.0, f64::max)
 }
 
+/// The root of the mean square, over smooth rays, of segments that cut them evenly.
+fn equal_segments(case: &VolumeCase, size: [usize; 2], classes: &[Class], step: f64) -> f64 {
+    let (mut sum, mut count) = (0.0, 0.0);
+    let smooth = classes.iter().enumerate();
+    for (k, _) in smooth.filter(|(_, class)| **class == Class::Smooth) {
+        let place = [(k % size[0]) as f64 + 0.5, (k / size[0]) as f64 + 0.5];
+        let ray = case.camera.ray(size, place);
+        if let Some(chord) = ray.and_then(|ray| case.chord(&ray)) {
+            let length = chord.to - chord.from;
+            sum += (length / (length / step).ceil().max(1.0)).powi(2);
+            count += 1.0;
+        }
+    }
+    if count > 0.0 {
+        (sum / count).sqrt()
+    } else {
+        step
+    }
+}
+
 /// What the finest picture of a ladder is off, by what the last refinement changed: e ≈ |Qₖ₋₁ − Qₖ|/(rᵖ − 1).
 fn remaining(
     ladder: &[Image],
@@ -351,28 +411,6 @@ fn remaining(
 }
 
 impl<P: Progress> Run<'_, P> {
-    /// The root of the mean square of segments on smooth rays.
-    fn segment(&self, size: [usize; 2], classes: &[Class], step: f64) -> f64 {
-        let (mut sum, mut count) = (0.0, 0.0);
-        for (k, _) in classes
-            .iter()
-            .enumerate()
-            .filter(|(_, class)| **class == Class::Smooth)
-        {
-            let place = [(k % size[0]) as f64 + 0.5, (k / size[0]) as f64 + 0.5];
-            let ray = self.case.camera.ray(size, place);
-            if let Some(chord) = ray.and_then(|ray| self.case.chord(&ray)) {
-                sum += self.renderer.segment(chord.to - chord.from, step).powi(2);
-                count += 1.0;
-            }
-        }
-        if count > 0.0 {
-            (sum / count).sqrt()
-        } else {
-            step
-        }
-    }
-
     fn render(
         &mut self,
         steps: usize,
@@ -453,6 +491,7 @@ impl<P: Progress> Run<'_, P> {
             levels,
             by_differences,
             changes_nothing: false,
+            equal_segments: false,
             expected,
             lost: Vec::new(),
             per_pixel: None,
@@ -462,6 +501,7 @@ impl<P: Progress> Run<'_, P> {
 }
 
 /// Pictures of one axis, all of one size.
+#[derive(Clone, Copy)]
 struct Ladder<'a> {
     axis: Axis,
     counts: &'a [usize],
@@ -507,6 +547,7 @@ impl Ladder<'_> {
             fit,
             by_differences,
             changes_nothing,
+            equal_segments: false,
             expected: self.expected,
             per_pixel: Some(per_pixel),
         }

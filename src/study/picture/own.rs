@@ -63,6 +63,13 @@ impl Own {
             _ => None,
         };
         let of_grid = f64::from(self.interpolation.order());
+        // Steps finer than cells see jumps, or kinks, where interpolants of cells meet; those of cubics are small.
+        let most: f64 = match self.interpolation {
+            Interpolation::Nearest => 1.0,
+            Interpolation::Linear => 2.0,
+            Interpolation::Cubic => 4.0,
+        };
+        let of_step = of_step.map(|order| most.min(order));
         [of_step, Some(of_grid), Some(2.0)]
     }
 }
@@ -81,8 +88,8 @@ impl Renderer for Own {
         format!("raycast:{interpolation}/{}@{format}", self.method.name())
     }
 
-    fn segment(&self, length: f64, step: f64) -> f64 {
-        length / (length / step).ceil().max(1.0)
+    fn has_equal_segments(&self) -> Option<bool> {
+        Some(true)
     }
 
     fn render(&mut self, asked: &Asked<'_>) -> Result<Rendered, RenderError> {

@@ -30,10 +30,9 @@ pub trait Renderer {
     /// What it is called.
     fn name(&self) -> String;
 
-    /// How long the segments of a ray of that length are where steps of this length are asked for: the step itself, unless it
-    /// is known better.
-    fn segment(&self, _length: f64, step: f64) -> f64 {
-        step
+    /// Whether rays are cut into as many equal segments as are no longer than the step; `None` where nobody knows.
+    fn has_equal_segments(&self) -> Option<bool> {
+        None
     }
 
     /// Makes a picture.

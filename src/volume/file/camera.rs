@@ -1,6 +1,6 @@
 //! Cameras as JSON.
 
-use super::transfer::{json, unreadable};
+use super::text::{json, unreadable};
 use crate::binary::{FileError, Trouble, refused};
 use crate::input;
 use crate::output;

@@ -4,7 +4,7 @@
 //! which the chord is near enough. For α of slope a' on a piece of width h, |τ''| = (a'/(1 − α))²/length, largest where α is,
 //! and the chord is off by at most h²/8 of that.
 
-use super::transfer::json;
+use super::text::json;
 use crate::binary::{Trouble, refused};
 use crate::volume::{ControlPoint, TransferFunction};
 use serde::Deserialize;

@@ -1,7 +1,7 @@
 //! Cameras of glTF 2.0 (`.gltf`), in binary64: it looks along −z of its node, y above.
 
 use super::camera::checked;
-use super::transfer::{json, unreadable};
+use super::text::{json, unreadable};
 use crate::binary::{FileError, Trouble, refused};
 use crate::input;
 use crate::output;

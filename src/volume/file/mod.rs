@@ -12,6 +12,7 @@ mod gltf;
 mod meta_image;
 mod npy;
 mod nrrd;
+mod text;
 mod transfer;
 mod vti;
 

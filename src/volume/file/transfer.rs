@@ -1,6 +1,7 @@
 //! Transfer functions as JSON: ours, and colour maps of ParaView.
 
 use super::color_map::{self, ColorMap};
+use super::text::{json, unreadable};
 use crate::binary::{FileError, Trouble, refused};
 use crate::input;
 use crate::output;
@@ -80,21 +81,6 @@ pub fn write_transfer(path: &Path, transfer: &TransferFunction) -> Result<(), Fi
         output::replace(path, |to| Ok(writeln!(to, "{text}")?))
     };
     written().map_err(|trouble: Trouble| trouble.at(path))
-}
-
-pub(super) fn unreadable(error: input::InputError) -> Trouble {
-    match error {
-        input::InputError::Unreadable { error, .. } => Trouble::System(error),
-        other => refused(other.to_string(), "a text of JSON"),
-    }
-}
-
-#[allow(clippy::needless_pass_by_value)] // As map_err hands it out.
-pub(super) fn json(error: serde_json::Error) -> Trouble {
-    refused(
-        format!("{error}"),
-        "JSON of the form that docs/images.md has",
-    )
 }
 
 /// The transfer function that a file says, where it is one.
