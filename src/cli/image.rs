@@ -1,27 +1,24 @@
 //! `volver image`: a renderer of volumes along three axes of refinement.
 
+mod files;
+mod values;
+mod volume;
+
 use super::about::about;
-use super::input::read;
-use super::output::Output;
+use super::output::{Output, said};
 use super::progress::Bar;
 use super::{Color, Failure, Outcome, write_out};
 use clap::{Args, ValueEnum};
-use std::fmt::Write as _;
-use std::path::{Path, PathBuf};
+use files::{compared, print_pixel, write_files};
+use std::path::PathBuf;
 use std::time::Duration;
-use volver::case::volume::{self, VolumeCase, catalogue};
-use volver::image::file as image_file;
-use volver::reference::ExactPicture;
+use values::{aspect, count, order, pixel, seconds};
+use volume::{listed, load, shown};
+use volver::case::volume::VolumeCase;
 use volver::report::image::{Imaged, Standing, document, json, write};
 use volver::study::picture::{
-    Axis, Own, PixelIs, Plan, Program, ProgramOptions, Renderer, likeness, norms, pictures,
+    Axis, Own, PixelIs, Plan, Program, ProgramOptions, Renderer, likeness, pictures,
 };
-use volver::volume::file::{Turned, write as write_volume, write_camera, write_transfer};
-
-/// The largest file of a volume by formulas.
-const MAX_FILE: u64 = 1 << 20;
-/// The most cells along an axis, steps along a diagonal, and pixels along a side.
-const MOST: usize = 4096;
 
 const EXAMPLES: &str = "\
 VOLUME is a name of the catalogue (ramp, radial, wave, blob, kink-plane, jump-sphere), or a
@@ -164,42 +161,8 @@ enum PictureFormat {
     Pgm,
 }
 
-fn count(text: &str) -> Result<usize, String> {
-    match text.parse() {
-        Ok(count) if (1..=MOST).contains(&count) => Ok(count),
-        _ => Err(format!("allowed: integers from 1 to {MOST}")),
-    }
-}
-
-fn order(text: &str) -> Result<f64, String> {
-    match text.parse() {
-        Ok(order) if (0.25..=16.0).contains(&order) => Ok(order),
-        _ => Err("allowed: numbers from 0.25 to 16".into()),
-    }
-}
-
-fn seconds(text: &str) -> Result<f64, String> {
-    match text.parse::<f64>() {
-        Ok(seconds) if seconds > 0.0 && seconds <= 1e6 => Ok(seconds),
-        _ => Err("allowed: numbers above 0, up to 1e6".into()),
-    }
-}
-
-fn pair(text: &str, between: char) -> Option<[usize; 2]> {
-    let (one, other) = text.split_once(between)?;
-    Some([one.trim().parse().ok()?, other.trim().parse().ok()?])
-}
-
-fn aspect(text: &str) -> Result<[usize; 2], String> {
-    let is_good = |sides: &[usize; 2]| sides.iter().all(|side| (1..=64).contains(side));
-    pair(text, ':')
-        .filter(is_good)
-        .ok_or_else(|| "allowed: two integers from 1 to 64, such as 4:3".into())
-}
-
-fn pixel(text: &str) -> Result<[usize; 2], String> {
-    pair(text, ',').ok_or_else(|| "allowed: two integers from 0 on, such as 12,7".into())
-}
+/// Of the step, the grid and pixels.
+type Orders = [Option<f64>; 3];
 
 fn name_of(value: impl ValueEnum) -> String {
     let value = value.to_possible_value();
@@ -215,13 +178,14 @@ impl Image {
         let case = load(name)?;
         let plan = self.plan()?;
         if let Some(at) = self.pixel {
-            return self.print_pixel(&case, &plan, at);
+            return print_pixel(&case, &plan, at);
         }
         if let Some(directory) = &self.write {
-            return self.write_files(&case, &plan, directory);
+            let ending = name_of(self.volume_format);
+            return write_files(&case, &plan, &ending, directory);
         }
         if let Some(picture) = &self.compare {
-            return self.compared(&case, &plan, picture);
+            return compared(&case, &plan, picture);
         }
         if self.renderer.is_empty() {
             write_out(&shown(&case, &plan))?;
@@ -263,7 +227,7 @@ impl Image {
         })
     }
 
-    fn measured(&self, case: &VolumeCase, plan: Plan) -> Result<Outcome, Failure> {
+    fn measured(&self, case: &VolumeCase, mut plan: Plan) -> Result<Outcome, Failure> {
         let output = Output {
             out: self.out.as_deref(),
             files: vec![("--json", self.json.as_deref())],
@@ -272,7 +236,6 @@ impl Image {
         };
         output.check()?;
         let (mut renderer, usual) = self.renderer()?;
-        let mut plan = plan;
         for (expected, usual) in plan.expected.iter_mut().zip(usual) {
             *expected = expected.or(usual);
         }
@@ -282,7 +245,7 @@ impl Image {
         let bar = Bar::new(plan.pictures() as u64);
         let found = pictures(case, renderer.as_mut(), &plan, &bar);
         bar.finish();
-        let found = found.map_err(|error| Failure::Usage(error.to_string()))?;
+        let found = found.map_err(said)?;
         let cells = plan.cells.last().copied().unwrap_or(1);
         let like = likeness(case, &found, plan.pixel, cells);
         let imaged = Imaged {
@@ -302,15 +265,11 @@ impl Image {
     }
 
     /// The renderer, and what theory gives of it.
-    fn renderer(&self) -> Result<(Box<dyn Renderer>, [Option<f64>; 3]), Failure> {
+    fn renderer(&self) -> Result<(Box<dyn Renderer>, Orders), Failure> {
         if let [name] = self.renderer.as_slice()
             && let Some(own) = name.strip_prefix("raycast:")
         {
-            let own: Own = own
-                .parse()
-                .map_err(|error: volver::study::picture::OwnError| {
-                    Failure::Usage(error.to_string())
-                })?;
+            let own: Own = own.parse().map_err(said)?;
             let expected = own.expected();
             return Ok((Box::new(own), expected));
         }
@@ -321,192 +280,9 @@ impl Image {
             single: self.single,
             timeout: Duration::from_secs_f64(self.timeout),
         });
-        let program = program.map_err(|error| Failure::Usage(error.to_string()))?;
-        Ok((Box::new(program), [None, Some(2.0), Some(2.0)]))
+        Ok((
+            Box::new(program.map_err(said)?),
+            [None, Some(2.0), Some(2.0)],
+        ))
     }
-
-    fn print_pixel(
-        &self,
-        case: &VolumeCase,
-        plan: &Plan,
-        [x, y]: [usize; 2],
-    ) -> Result<Outcome, Failure> {
-        let [width, height] = plan.size(plan.side);
-        if x >= width || y >= height {
-            return Err(Failure::Usage(format!(
-                "no pixel {x},{y} (allowed: 0,0 to {},{} of the picture, whose size --side gives)",
-                width - 1,
-                height - 1
-            )));
-        }
-        let ray = case
-            .camera
-            .ray([width, height], [x as f64 + 0.5, y as f64 + 0.5]);
-        let hit = ray.and_then(|ray| Some((ray, case.chord(&ray)?)));
-        let Some((ray, chord)) = hit else {
-            return Err(Failure::Usage(format!(
-                "the ray of pixel {x},{y} misses the volume (allowed: pixels that show it)"
-            )));
-        };
-        let name = format!("{}-{x}-{y}", case.name);
-        write_out(&case.ray_case(&name, &ray, chord))?;
-        Ok(Outcome::Good)
-    }
-
-    /// Everything that a renderer needs, at the finest levels that are asked for.
-    fn write_files(
-        &self,
-        case: &VolumeCase,
-        plan: &Plan,
-        directory: &Path,
-    ) -> Result<Outcome, Failure> {
-        volver::render::make_directory(directory)?;
-        let cells = plan.cells.last().copied().unwrap_or(1);
-        let grid = case.sampled([cells + 1; 3]);
-        let file_failed =
-            |error: volver::volume::file::FileError| Failure::Usage(error.to_string());
-        let volume = directory.join(format!("volume.{}", name_of(self.volume_format)));
-        let _: volver::volume::file::Geometry =
-            write_volume(&volume, &grid, Turned::Refused).map_err(file_failed)?;
-        write_transfer(&directory.join("transfer.json"), &case.transfer).map_err(file_failed)?;
-        write_camera(&directory.join("camera.json"), &case.camera).map_err(file_failed)?;
-        let exact = self.exact(case, plan);
-        for ending in ["exr", "npy"] {
-            let path = directory.join(format!("exact.{ending}"));
-            image_file::write(&path, &exact).map_err(file_failed)?;
-        }
-        write_out(&format!(
-            "5 files in {}: {} cells, {} × {} pixels\n",
-            directory.display(),
-            cells,
-            exact.width,
-            exact.height
-        ))?;
-        Ok(Outcome::Good)
-    }
-
-    fn exact(&self, case: &VolumeCase, plan: &Plan) -> volver::image::Image {
-        let exact = ExactPicture::new(case);
-        let size = plan.size(plan.side);
-        match plan.pixel {
-            PixelIs::Centre => exact.centres(size),
-            PixelIs::Mean => exact.means(size, 4),
-        }
-    }
-
-    /// How far a picture is from the exact one of its size.
-    fn compared(&self, case: &VolumeCase, plan: &Plan, path: &Path) -> Result<Outcome, Failure> {
-        let read = image_file::read(path).map_err(|error| Failure::Usage(error.to_string()))?;
-        let mut plan = plan.clone();
-        let size = [read.image.width, read.image.height];
-        plan.side = size[0].min(size[1]);
-        plan.aspect = size;
-        let exact = self.exact(case, &plan);
-        if [exact.width, exact.height] != size || exact.channels.len() > read.image.channels.len() {
-            return Err(Failure::Usage(format!(
-                "{}: {} × {} pixels of {} channels (allowed: {} channels, {})",
-                path.display(),
-                size[0],
-                size[1],
-                read.image.channels.len(),
-                exact.channels.len(),
-                exact.channels.join(", ")
-            )));
-        }
-        let asked = volver::study::picture::Asked {
-            case,
-            cells: plan.cells.last().copied().unwrap_or(1),
-            size,
-            step: 1.0,
-        };
-        let rendered = volver::study::picture::Rendered {
-            image: read.image,
-            quantum: read.quantum,
-        };
-        let image = rendered
-            .fitting(&asked)
-            .map_err(|error| Failure::Usage(format!("{}: {error}", path.display())))?
-            .image;
-        let off = norms(&image, &exact, |_| true);
-        let mut text = String::new();
-        // Writing to a text cannot fail.
-        let _ = writeln!(text, "max         {:.3e}", off.max);
-        let _ = writeln!(text, "L1          {:.3e}", off.l1);
-        let _ = writeln!(text, "L2          {:.3e}", off.l2);
-        let _ = writeln!(text, "not finite  {}", off.not_finite);
-        if let Some(quantum) = read.quantum {
-            let _ = writeln!(text, "quantum     {quantum:.3e}");
-        }
-        let found = volver::study::picture::Pictures {
-            renderer: path.display().to_string(),
-            axes: Vec::new(),
-            coarser: image.clone(),
-            finest: image,
-            exact,
-            not_finite: off.not_finite,
-            quantum: read.quantum,
-            classes: Vec::new(),
-        };
-        let like = likeness(case, &found, plan.pixel, asked.cells);
-        for one in &like {
-            let _ = writeln!(
-                text,
-                "{}: {}; {:.1e} of the error is left",
-                one.name, one.words, one.left
-            );
-        }
-        write_out(&text)?;
-        Ok(if like.is_empty() && off.not_finite == 0 {
-            Outcome::Good
-        } else {
-            Outcome::CheckFailed
-        })
-    }
-}
-
-fn load(name: &str) -> Result<VolumeCase, Failure> {
-    if let Some(case) = catalogue::find(name) {
-        return Ok(case);
-    }
-    let is_file = name == "-" || name.contains('/') || name.ends_with(".toml");
-    if !is_file {
-        let names: Vec<&str> = catalogue::names().collect();
-        return Err(Failure::Usage(format!(
-            "no volume '{}' (allowed: {}, or a file: a path with a / in it or .toml at its end)",
-            name.escape_debug(),
-            names.join(", ")
-        )));
-    }
-    let text = read(name, MAX_FILE)?;
-    volume::read(&text).map_err(|error| Failure::Content {
-        path: name.into(),
-        error: error.into(),
-    })
-}
-
-fn listed() -> String {
-    let mut text = String::new();
-    for case in catalogue::names().filter_map(catalogue::find) {
-        // Writing to a text cannot fail.
-        let _ = writeln!(text, "{:<12} {}", case.name, case.title);
-    }
-    text
-}
-
-/// What a volume is, and what its picture comes to.
-fn shown(case: &VolumeCase, plan: &Plan) -> String {
-    let size = plan.size(plan.side);
-    let exact = ExactPicture::new(case).centres(size);
-    let lit = exact.values.chunks(exact.channels.len().max(1));
-    let lit = lit.filter(|pixel| pixel.iter().any(|v| *v != 0.0)).count();
-    let most = exact.values.iter().copied().fold(0.0, f64::max);
-    let [low, high] = case.corners;
-    format!(
-        "{}: {}\nbox         {low:?} to {high:?}\nchannels    {}\npicture     {} × {} pixels, {lit} of them lit, at most {most:.4}\n",
-        case.name,
-        case.title,
-        exact.channels.join(", "),
-        size[0],
-        size[1],
-    )
 }

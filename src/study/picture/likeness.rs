@@ -3,7 +3,8 @@
 //! Found on the even pixels of a chessboard and held out against the odd ones, of the finest picture and of the next
 //! coarser one: what a finer step takes away is no likeness.
 
-use super::axes::{Pictures, PixelIs};
+use super::measured::Pictures;
+use super::plan::PixelIs;
 use crate::case::volume::VolumeCase;
 use crate::image::Image;
 use crate::reference::ExactPicture;
