@@ -5,6 +5,7 @@ mod values;
 mod volume;
 
 use super::about::about;
+use super::budget::{Budget, MINUTE};
 use super::output::{Output, said};
 use super::progress::Bar;
 use super::{Color, Failure, Outcome, write_out};
@@ -38,7 +39,8 @@ at most a tenth of the error, on pixels that it was not found with.
 The exit code is 0 where no order is contradicted and those that are expected are confirmed,
 1 where one is not, or the picture is another one, 2 where it could not run.
 
-Work: about 20 pictures; a program has --timeout for each. Volumes of 8 (cells + 1)³ bytes.
+Work: about 20 pictures; a program has --timeout for each. Volumes of 8 (cells + 1)³ bytes;
+2 GiB without --yes.
 
 JSON: renderer, volume, standing, axes with levels, fit, orders and lost, like, not_finite,
 quantum.
@@ -54,6 +56,7 @@ Examples:
 #[derive(Args)]
 #[command(override_usage = "volver image [OPTIONS] [VOLUME] [RENDERER]...")]
 #[command(after_help = EXAMPLES)]
+#[allow(clippy::struct_excessive_bools)] // One an option.
 pub(crate) struct Image {
     /// A volume; without one, they are listed
     #[arg(value_name = "VOLUME")]
@@ -122,6 +125,9 @@ pub(crate) struct Image {
     /// Compare a picture with the exact one
     #[arg(long, value_name = "PICTURE", conflicts_with_all = ["write", "pixel", "renderer"])]
     compare: Option<PathBuf>,
+    /// Run even if it takes more than 2 GiB of memory
+    #[arg(long)]
+    yes: bool,
     /// Write one JSON document; - is standard output, without the table
     #[arg(long, value_name = "FILE")]
     json: Option<PathBuf>,
@@ -164,13 +170,13 @@ enum PictureFormat {
 /// Of the step, the grid and pixels.
 type Orders = [Option<f64>; 3];
 
-fn name_of(value: impl ValueEnum) -> String {
+fn name_of(value: &impl ValueEnum) -> String {
     let value = value.to_possible_value();
     value.map_or(String::new(), |value| value.get_name().to_string())
 }
 
 impl Image {
-    pub(crate) fn run(self) -> Result<Outcome, Failure> {
+    pub(crate) fn run(&self) -> Result<Outcome, Failure> {
         let Some(name) = &self.volume else {
             write_out(&listed())?;
             return Ok(Outcome::Good);
@@ -180,8 +186,11 @@ impl Image {
         if let Some(at) = self.pixel {
             return print_pixel(&case, &plan, at);
         }
+        if self.write.is_some() || !self.renderer.is_empty() {
+            self.budget(&plan)?;
+        }
         if let Some(directory) = &self.write {
-            let ending = name_of(self.volume_format);
+            let ending = name_of(&self.volume_format);
             return write_files(&case, &plan, &ending, directory);
         }
         if let Some(picture) = &self.compare {
@@ -225,6 +234,22 @@ impl Image {
             },
             expected: [self.step_order, self.grid_order, self.pixel_order],
         })
+    }
+
+    /// A volume that does not fit is refused before it is made.
+    fn budget(&self, plan: &Plan) -> Result<(), Failure> {
+        let samples = plan.cells.last().map_or(1.0, |cells| *cells as f64 + 1.0);
+        let largest = plan.pixels.iter().chain([&plan.side]).max();
+        let [width, height] = plan.size(largest.copied().unwrap_or(1));
+        // Two of a volume, as it is made and as it is written, and some dozens of pictures of a few channels.
+        let pictures = 8.0 * 4.0 * 32.0 * width as f64 * height as f64;
+        Budget {
+            what: "the finest grid and the pictures",
+            bytes: 16.0 * samples.powi(3) + pictures,
+            seconds: 0.0,
+            usual: MINUTE,
+        }
+        .check(self.yes)
     }
 
     fn measured(&self, case: &VolumeCase, mut plan: Plan) -> Result<Outcome, Failure> {
@@ -275,8 +300,8 @@ impl Image {
         }
         let program = Program::new(ProgramOptions {
             words: self.renderer.clone(),
-            volume: name_of(self.volume_format),
-            picture: name_of(self.picture_format),
+            volume: name_of(&self.volume_format),
+            picture: name_of(&self.picture_format),
             single: self.single,
             timeout: Duration::from_secs_f64(self.timeout),
         });

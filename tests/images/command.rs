@@ -163,6 +163,16 @@ fn wrong_usage_is_said_with_what_is_allowed() {
         ),
         (&["image", "ramp", "--pixel", "0,0"], "misses the volume"),
         (
+            &[
+                "image",
+                "ramp",
+                "--cells",
+                "8,4096",
+                "raycast:linear/trapezoid/trapezoid",
+            ],
+            "GiB",
+        ),
+        (
             &["image", "ramp", "--aspect", "1:0"],
             "two integers from 1 to 64",
         ),
