@@ -159,12 +159,13 @@ fn table(axes: &[Measured]) -> Table {
         Column::text("levels"),
         Column::number("order"),
         Column::number("expected"),
-        Column::number("over all: max"),
-        Column::number("L1"),
-        Column::number("L2"),
+        Column::number("max of all").detail(),
+        Column::number("L1 of all").detail(),
+        Column::number("L2 of all"),
         Column::verdict("verdict"),
     ];
-    let caption = "Orders of L2 over pixels where everything is analytic, and of three norms over all that hit the volume";
+    let caption =
+        "Orders of L2 over pixels where everything is analytic, and over all that show the volume";
     let row = |axis: &Measured| {
         let fit = axis.fit.as_ref();
         let order = fit.and_then(|fit| Some((fit.order?, fit.half_width?)));
@@ -173,11 +174,6 @@ fn table(axes: &[Measured]) -> Table {
         });
         let counts = [axis.levels.first(), axis.levels.last()];
         let counts = counts.map(|level| level.map_or(0, |level| level.count));
-        let differences = if axis.by_differences {
-            ", differences"
-        } else {
-            ""
-        };
         let of = |order: Option<f64>| {
             order.map_or(Cell::text("–"), |order| {
                 Cell::number(format!("{order:.2}"), order)
@@ -190,7 +186,7 @@ fn table(axes: &[Measured]) -> Table {
         });
         vec![
             Cell::text(axis.axis.name()),
-            Cell::text(format!("{} to {}{differences}", counts[0], counts[1])),
+            Cell::text(format!("{} … {}", counts[0], counts[1])),
             order,
             expected,
             of(axis.orders[0]),
@@ -202,6 +198,9 @@ fn table(axes: &[Measured]) -> Table {
     Table::new(caption, columns).with(axes.iter().map(row))
 }
 
+/// The word for an axis whose orders go nowhere near what is expected.
+const SHORT: &str = "falls short";
+
 /// A word of its own for what is no fit's.
 fn own_word(axis: &Measured) -> Option<&'static str> {
     let verdict = axis.fit.as_ref().map(|fit| fit.verdict);
@@ -210,7 +209,7 @@ fn own_word(axis: &Measured) -> Option<&'static str> {
     } else if verdict == Some(Verdict::Stalled) {
         None
     } else {
-        axis.falls_short().map(|_| "falls short")
+        axis.falls_short().map(|_| SHORT)
     }
 }
 
@@ -239,9 +238,11 @@ fn limited(axis: &Measured) -> Option<String> {
             axis.axis.name()
         ));
     }
-    if let Some([first, second, third]) = axis.falls_short() {
+    if own_word(axis) == Some(SHORT)
+        && let Some([first, second, third]) = axis.falls_short()
+    {
         return Some(format!(
-            "{}: orders fall as it is refined, from {first:.2} over {second:.2} to {third:.2}, and not to what is expected.",
+            "{}: orders go from {first:.2} over {second:.2} to {third:.2}, and not to what is expected.",
             axis.axis.name()
         ));
     }
