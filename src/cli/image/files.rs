@@ -125,6 +125,7 @@ pub(super) fn compared(case: &VolumeCase, plan: &Plan, path: &Path) -> Result<Ou
         axes: Vec::new(),
         coarser: image.clone(),
         finest: image,
+        left: 0.0,
         exact,
         not_finite: off.not_finite,
         quantum: read.quantum,

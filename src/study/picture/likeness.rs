@@ -3,7 +3,9 @@
 //! Found on the even pixels of a chessboard and held out against the odd ones, of the finest picture and of the next
 //! coarser one: what a finer step takes away is no likeness.
 
+use super::classes::Class;
 use super::measured::Pictures;
+use super::norms::norms;
 use super::plan::PixelIs;
 use crate::case::volume::VolumeCase;
 use crate::image::Image;
@@ -40,6 +42,8 @@ const AS_WELL: f64 = 2.0;
 /// Half of the pixels, found with; the other half, held out.
 const EVEN: usize = 0;
 const ODD: usize = 1;
+/// An error of no more than so many times what step and grid leave is theirs.
+const EXPLAINED: f64 = 1.5;
 /// Rounds of a search for a factor.
 const ROUNDS: usize = 24;
 /// Factors beyond are not looked for.
@@ -60,35 +64,49 @@ pub fn likeness(
     if error <= f64::EPSILON * size(exact) || error.is_nan() {
         return Vec::new();
     }
+    // What is left of step and grid is no other picture.
+    let smooth = |k: usize| pictures.classes.get(k) == Some(&Class::Smooth);
+    let rest = norms(got, exact, smooth).l2;
+    if pictures.left > 0.0 && rest <= EXPLAINED * pictures.left && !has_rim(pictures) {
+        return Vec::new();
+    }
     let maker = Maker {
         case,
         size: [exact.width, exact.height],
         pixel,
     };
-    let mut all = symmetries(exact);
-    all.extend(exchanged(exact));
-    all.extend(maker.moved_in_space(cells));
-    all.extend(maker.moved_in_picture());
-    all.extend(maker.scaled(got, exact, &pictures.coarser));
     let left = |image: &Image, of: &Image, half: usize| off(of, image, half) / off(of, exact, half);
-    let mut found: Vec<Likeness> = all
-        .into_iter()
-        .filter(|one| {
-            left(&one.image, got, EVEN) <= LEFT
-                && left(&one.image, got, ODD) <= LEFT
-                && left(&one.image, &pictures.coarser, ODD) <= LEFT_COARSER
-        })
-        .map(|one| Likeness {
-            left: left(&one.image, got, ODD),
-            name: one.name,
-            words: one.words,
-            value: one.value,
-        })
-        .collect();
+    let mut found: Vec<Likeness> = Vec::new();
+    // One picture at a time: large ones are many megabytes.
+    let mut consider = |one: Candidate| {
+        let of_odd = left(&one.image, got, ODD);
+        let explains = left(&one.image, got, EVEN) <= LEFT
+            && of_odd <= LEFT
+            && left(&one.image, &pictures.coarser, ODD) <= LEFT_COARSER;
+        if explains {
+            found.push(Likeness {
+                left: of_odd,
+                name: one.name,
+                words: one.words,
+                value: one.value,
+            });
+        }
+    };
+    symmetries(exact).into_iter().for_each(&mut consider);
+    exchanged(exact).into_iter().for_each(&mut consider);
+    maker.moved_in_space(cells, &mut consider);
+    maker.moved_in_picture(&mut consider);
+    maker.scaled(got, exact, &pictures.coarser, &mut consider);
     found.sort_by(|a, b| a.left.total_cmp(&b.left));
     let best = found.first().map_or(0.0, |one| one.left);
     found.retain(|one| one.left <= AS_WELL * best + 1e-12);
     found
+}
+
+/// Whether something shines where there is nothing, or nothing where there is something: no step does that.
+fn has_rim(pictures: &Pictures) -> bool {
+    let outside = |k: usize| pictures.classes.get(k) == Some(&Class::Outside);
+    norms(&pictures.finest, &pictures.exact, outside).max > 0.0
 }
 
 /// The norm of a difference over half of the pixels.
@@ -232,10 +250,9 @@ impl Maker<'_> {
     }
 
     /// The volume moved by half a voxel along one axis, or along all.
-    fn moved_in_space(&self, cells: usize) -> Vec<Candidate> {
+    fn moved_in_space(&self, cells: usize, consider: &mut impl FnMut(Candidate)) {
         let [low, high] = self.case.corners;
         let half = [0, 1, 2].map(|axis| (high[axis] - low[axis]) / cells.max(1) as f64 / 2.0);
-        let mut all = Vec::new();
         let ways = [
             ([1.0, 0.0, 0.0], "x"),
             ([0.0, 1.0, 0.0], "y"),
@@ -250,7 +267,7 @@ impl Maker<'_> {
                     field: self.case.field.moved(by),
                     ..self.case.clone()
                 };
-                all.push(Candidate {
+                consider(Candidate {
                     name: "half-voxel",
                     words: format!(
                         "the field moved by half a voxel to {side}{axes}, in the same box"
@@ -264,7 +281,7 @@ impl Maker<'_> {
                     case.camera.position[axis] -= by;
                     case.camera.target[axis] -= by;
                 }
-                all.push(Candidate {
+                consider(Candidate {
                     name: "half-voxel",
                     words: format!("the volume moved by half a voxel to {side}{axes}"),
                     value: Some(sign * 0.5),
@@ -272,12 +289,10 @@ impl Maker<'_> {
                 });
             }
         }
-        all
     }
 
     /// The picture moved by half a pixel, or one.
-    fn moved_in_picture(&self) -> Vec<Candidate> {
-        let mut all = Vec::new();
+    fn moved_in_picture(&self, consider: &mut impl FnMut(Candidate)) {
         let steps = [-1.0, -0.5, 0.0, 0.5, 1.0];
         let exact = ExactPicture::new(self.case);
         for right in steps {
@@ -286,7 +301,7 @@ impl Maker<'_> {
                     continue;
                 }
                 let image = exact.moved(self.size, [right, down], self.pixel == PixelIs::Mean);
-                all.push(Candidate {
+                consider(Candidate {
                     name: "pixel-shift",
                     words: format!(
                         "the picture moved by {} pixels to the right and {} down",
@@ -297,12 +312,16 @@ impl Maker<'_> {
                 });
             }
         }
-        all
     }
 
     /// The picture with lengths, or values, multiplied by a factor that is found on half of the pixels.
-    fn scaled(&self, got: &Image, exact: &Image, coarser: &Image) -> Vec<Candidate> {
-        let mut all = Vec::new();
+    fn scaled(
+        &self,
+        got: &Image,
+        exact: &Image,
+        coarser: &Image,
+        consider: &mut impl FnMut(Candidate),
+    ) {
         let value = |of: &Image| {
             let (mut up, mut down) = (0.0, 0.0);
             let channels = of.channels.len().max(1);
@@ -317,7 +336,7 @@ impl Maker<'_> {
         };
         let (factor, other) = (value(got), value(coarser));
         if agree(factor, other) {
-            all.push(Candidate {
+            consider(Candidate {
                 name: "value-factor",
                 words: format!("the right picture times {factor:.5}"),
                 value: Some(factor),
@@ -329,14 +348,13 @@ impl Maker<'_> {
         }
         let (factor, image) = self.length_factor(got);
         if agree(factor, self.length_factor(coarser).0) {
-            all.push(Candidate {
+            consider(Candidate {
                 name: "length-factor",
                 words: format!("lengths along rays times {factor:.5}"),
                 value: Some(factor),
                 image,
             });
         }
-        all
     }
 
     /// The factor of lengths with the least error on half of the pixels, by golden sections of its logarithm.

@@ -130,6 +130,8 @@ pub struct Pictures {
     pub exact: Image,
     /// The next coarser one in all of step and grid, at the same size.
     pub coarser: Image,
+    /// What is left of the errors of step and grid at the finest levels, L2 over smooth pixels; 0 where nothing is known.
+    pub left: f64,
     /// Pixels whose values are no finite numbers.
     pub not_finite: usize,
     /// The quantum of values.

@@ -124,6 +124,7 @@ pub fn pictures<P: Progress>(
         finest,
         exact: wanted,
         coarser,
+        left: of_step + of_grid + floor,
         not_finite,
         quantum: run.quantum,
         classes: of_pixels,
