@@ -10,7 +10,7 @@ use super::output::{Output, said};
 use super::progress::Bar;
 use super::{Color, Failure, Outcome, write_out};
 use clap::{Args, ValueEnum};
-use files::{compared, print_pixel, write_files};
+use files::{compared, print_pixel, write_files, write_maps};
 use std::path::PathBuf;
 use std::time::Duration;
 use values::{aspect, count, order, pixel, seconds};
@@ -280,7 +280,11 @@ impl Image {
         };
         output.hand_out(
             &document(&imaged, &about()),
-            |directory| write(directory, &imaged, &about()),
+            |directory| {
+                let mut paths = write(directory, &imaged, &about())?;
+                paths.extend(write_maps(directory, &imaged.pictures)?);
+                Ok(paths)
+            },
             |_| json(&imaged),
         )?;
         Ok(match imaged.standing() {

@@ -270,3 +270,50 @@ fn what_is_written_is_what_is_compared() {
         "{red}: {printed}"
     );
 }
+
+/// Errors and orders of every pixel are written as numbers, with the page.
+#[test]
+fn orders_of_pixels_are_a_picture() {
+    let folder = tempfile::tempdir().unwrap();
+    let place = folder.path().join("report");
+    let out = place.to_str().unwrap();
+    let (code, ..) = volver(&[
+        "image",
+        "ramp",
+        "--axes",
+        "step",
+        "--cells",
+        "4,8",
+        "--out",
+        out,
+        "raycast:linear/front-to-back/middle/expm1",
+    ]);
+    assert_eq!(code, 0);
+    for name in [
+        "index.html",
+        "image.json",
+        "image.md",
+        "map-errors.svg",
+        "map-step.svg",
+    ] {
+        assert!(place.join(name).exists(), "{name}");
+    }
+    let image = file::read(&place.join("order-step.npy")).unwrap().image;
+    assert_eq!(
+        (image.width, image.height, image.channels.len()),
+        (24, 24, 1)
+    );
+    let seen: Vec<f64> = image
+        .values
+        .iter()
+        .copied()
+        .filter(|v| v.is_finite())
+        .collect();
+    assert!(seen.len() > 300);
+    assert!(
+        seen.iter().all(|order| (order - 2.0).abs() < 0.2),
+        "{seen:?}"
+    );
+    let errors = file::read(&place.join("error.npy")).unwrap().image;
+    assert!(errors.values.iter().all(|error| *error < 1e-5));
+}

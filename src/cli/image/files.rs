@@ -2,10 +2,11 @@
 
 use crate::cli::{Failure, Outcome, write_out};
 use std::fmt::Write as _;
-use std::path::Path;
+use std::path::{Path, PathBuf};
 use volver::case::volume::VolumeCase;
 use volver::image::{Image, file as image_file};
 use volver::reference::ExactPicture;
+use volver::render::ReportError;
 use volver::study::picture::{Asked, Pictures, PixelIs, Plan, Rendered, likeness, norms};
 use volver::volume::file::{FileError, Geometry, Turned, write, write_camera, write_transfer};
 
@@ -75,6 +76,35 @@ fn exact(case: &VolumeCase, plan: &Plan) -> Image {
         PixelIs::Centre => exact.centres(size),
         PixelIs::Mean => exact.means(size, 4),
     }
+}
+
+/// The errors of pixels, and their orders along each axis, as numbers: `error.npy`, `order-step.npy`, `order-grid.npy`.
+pub(super) fn write_maps(
+    directory: &Path,
+    pictures: &Pictures,
+) -> Result<Vec<PathBuf>, ReportError> {
+    let error = pictures.axes.iter().find_map(|axis| axis.error.as_ref());
+    let error = error.map(|map| ("error".to_string(), map));
+    let orders = pictures.axes.iter().filter_map(|axis| {
+        let map = axis.per_pixel.as_ref()?;
+        Some((format!("order-{}", axis.axis.name()), map))
+    });
+    let mut paths = Vec::new();
+    for (name, map) in error.into_iter().chain(orders) {
+        let path = directory.join(format!("{name}.npy"));
+        let image = Image {
+            width: map.width,
+            height: map.height,
+            channels: vec![name],
+            values: map.values.clone(),
+        };
+        image_file::write(&path, &image).map_err(|error| ReportError::File {
+            path: path.clone(),
+            reason: std::io::Error::other(error.to_string()),
+        })?;
+        paths.push(path);
+    }
+    Ok(paths)
 }
 
 /// How far a picture is from the exact one of its size.
