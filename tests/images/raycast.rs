@@ -6,6 +6,7 @@
 mod box_of_samples;
 mod floor;
 mod interpolation;
+mod memory;
 mod methods;
 mod refused;
 mod same_bits;
