@@ -3,6 +3,7 @@
 use super::VolumeCase;
 use super::field::{Field, Shape};
 use crate::case::file::{deepest_dot, said};
+use crate::volume::file::{CameraFile, OrthographicFile, PerspectiveFile, PointFile};
 use crate::volume::{Camera, ControlPoint, Lens, TransferFunction};
 use schemars::JsonSchema;
 use serde::Deserialize;
@@ -145,50 +146,6 @@ pub enum FieldFile {
 
 fn one() -> f64 {
     1.0
-}
-
-/// τ and C at a value of the field.
-#[derive(Clone, Debug, Deserialize, JsonSchema)]
-#[serde(deny_unknown_fields)]
-pub struct PointFile {
-    /// s.
-    pub s: f64,
-    /// τ(s), at least 0.
-    pub extinction: f64,
-    /// C(s), a number a channel.
-    pub emission: Vec<f64>,
-}
-
-/// Who looks, from where, how; one of `orthographic` and `perspective`.
-#[derive(Clone, Copy, Debug, Deserialize, JsonSchema)]
-#[serde(deny_unknown_fields)]
-pub struct CameraFile {
-    /// Where it stands.
-    pub position: [f64; 3],
-    /// What it looks at.
-    pub target: [f64; 3],
-    /// What is above in the picture.
-    pub up: [f64; 3],
-    /// Rays side by side.
-    pub orthographic: Option<OrthographicFile>,
-    /// Rays from one point.
-    pub perspective: Option<PerspectiveFile>,
-}
-
-/// Rays side by side.
-#[derive(Clone, Copy, Debug, Deserialize, JsonSchema)]
-#[serde(deny_unknown_fields)]
-pub struct OrthographicFile {
-    /// Of the picture, in units of length.
-    pub height: f64,
-}
-
-/// Rays from one point.
-#[derive(Clone, Copy, Debug, Deserialize, JsonSchema)]
-#[serde(deny_unknown_fields)]
-pub struct PerspectiveFile {
-    /// Between the lower and the upper edge of the picture, in degrees.
-    pub angle_degrees: f64,
 }
 
 /// What is wrong with the file of a volume, and where.
@@ -496,14 +453,15 @@ impl Reader<'_> {
             position,
             target,
             up,
-            ..
-        } = *file.get_ref();
+            orthographic,
+            perspective,
+        } = file.get_ref().clone();
         self.finite(
             at,
             "a number of the camera",
             &[position, target, up].concat(),
         )?;
-        let lens = match (file.get_ref().orthographic, file.get_ref().perspective) {
+        let lens = match (orthographic, perspective) {
             (Some(OrthographicFile { height }), None) => {
                 if !height.is_finite() || height <= 0.0 {
                     return Err(self.number(at, "height", height, "lengths above 0"));

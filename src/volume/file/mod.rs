@@ -17,10 +17,10 @@ mod transfer;
 mod vti;
 
 pub use crate::binary::{FileError, Trouble};
-pub use camera::{CameraFile, read_camera, write_camera};
+pub use camera::{CameraFile, OrthographicFile, PerspectiveFile, read_camera, write_camera};
 pub use color_map::ColorMap;
 pub use gltf::{ReadCamera, View, read_gltf_camera, write_gltf_camera};
-pub use transfer::{TransferFile, read_transfer, write_transfer};
+pub use transfer::{PointFile, TransferFile, read_transfer, write_transfer};
 
 use super::{Grid, Samples};
 use crate::binary::{Bytes, Memory, NumberType};
