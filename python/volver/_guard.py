@@ -7,6 +7,7 @@ import subprocess
 import threading
 import time
 from collections.abc import Callable
+from types import FrameType
 from typing import Any, TypeVar
 
 T = TypeVar("T")
@@ -24,6 +25,7 @@ class Guard:
         self._thread = threading.get_ident()
         self._is_main = threading.current_thread() is threading.main_thread()
         self._running = False
+        self._urgent = False
         self._ended = False
         self.interrupted = False
         self._watcher = threading.Thread(target=self._watch, name="volver", daemon=True)
@@ -37,7 +39,7 @@ class Guard:
                     raise Ended
                 self._running = True
             try:
-                result = function(argument)
+                result = self._called(function, argument)
             finally:
                 with self._lock:
                     self._running = False
@@ -52,6 +54,18 @@ class Guard:
         if self.interrupted:
             raise Ended
         return result
+
+    def _called(self, function: Callable[[Any], T], argument: Any) -> T:
+        """What it returns; where SIGINT is ignored, as in jobs in the background, another signal ends what waits."""
+        if not self._is_main or signal.getsignal(signal.SIGINT) is not signal.SIG_IGN:
+            return function(argument)
+        before = signal.signal(signal.SIGURG, _raise)
+        self._urgent = True
+        try:
+            return function(argument)
+        finally:
+            self._urgent = False
+            signal.signal(signal.SIGURG, before)
 
     def _watch(self) -> None:
         self._process.wait()
@@ -69,6 +83,9 @@ class Guard:
             # A signal ends what waits in the system, too.
             signal.pthread_kill(self._thread, signal.SIGINT)
             return
+        if self._urgent:
+            signal.pthread_kill(self._thread, signal.SIGURG)
+            return
         import ctypes
 
         # The function may have returned meanwhile; what is raised then is caught where it was called.
@@ -82,3 +99,7 @@ class Ended(BaseException):
 
 class _Interruption(BaseException):
     pass
+
+
+def _raise(number: int, frame: FrameType | None) -> None:
+    raise _Interruption

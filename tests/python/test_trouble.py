@@ -81,6 +81,18 @@ def test_nan_is_an_answer() -> None:
     assert not found.passed and found.lines[0].verdict == "NotFinite"
 
 
+def test_a_function_that_hangs_in_the_background_is_interrupted() -> None:
+    """Jobs that a shell starts with & ignore SIGINT."""
+    before = signal.signal(signal.SIGINT, signal.SIG_IGN)
+    start = time.monotonic()
+    try:
+        with pytest.raises(volver.TimedOut):
+            verify(lambda ray: time.sleep(600), timeout=0.5)
+    finally:
+        signal.signal(signal.SIGINT, before)
+    assert time.monotonic() - start < 60 and signal.getsignal(signal.SIGURG) is signal.SIG_DFL
+
+
 def test_a_function_that_hangs_is_interrupted() -> None:
     start = time.monotonic()
     with pytest.raises(volver.TimedOut, match=r"no answer in 0.5 s \(allowed: up to timeout=0.5\)"):
