@@ -70,20 +70,25 @@ fn of_field(case: &VolumeCase, along: Along, chord: Chord) -> Vec<(f64, Break)> 
             }
             all
         }
-        (Shape::Jump { radius, .. }, Along::Squared { square, slope, at }) => {
-            // a λ² + 2 b λ + c = r².
-            let under = slope * slope - square * (at - radius * radius);
-            if under > 0.0 && square > 0.0 {
+        (
+            Shape::Jump { radius, .. },
+            Along::Squared {
+                square,
+                nearest,
+                apart,
+            },
+        ) => {
+            // a (λ − λ₀)² + ρ² = r².
+            let under = (radius * radius - apart) / square;
+            if under > 0.0 {
                 let root = under.sqrt();
-                let jump = |sign: f64| ((-slope + sign * root) / square, Break::FieldJump);
+                let jump = |sign: f64| (nearest + sign * root, Break::FieldJump);
                 vec![jump(-1.0), jump(1.0)]
             } else {
                 Vec::new()
             }
         }
-        (_, Along::Squared { square, slope, .. }) if square > 0.0 => {
-            vec![(-slope / square, Break::Turn)]
-        }
+        (_, Along::Squared { nearest, .. }) => vec![(nearest, Break::Turn)],
         _ => Vec::new(),
     };
     places

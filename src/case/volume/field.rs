@@ -66,14 +66,14 @@ pub(super) enum Along {
         /// b.
         slope: f64,
     },
-    /// The squared distance from a centre: a λ² + 2 b λ + c.
+    /// The squared distance from a centre: a (λ − λ₀)² + ρ², in which nothing cancels.
     Squared {
         /// a.
         square: f64,
-        /// b.
-        slope: f64,
-        /// c.
-        at: f64,
+        /// λ₀.
+        nearest: f64,
+        /// ρ².
+        apart: f64,
     },
 }
 
@@ -81,7 +81,11 @@ impl Along {
     pub(super) fn at(self, lambda: f64) -> f64 {
         match self {
             Along::Linear { at, slope } => at + slope * lambda,
-            Along::Squared { square, slope, at } => (square * lambda + 2.0 * slope) * lambda + at,
+            Along::Squared {
+                square,
+                nearest,
+                apart,
+            } => square * (lambda - nearest) * (lambda - nearest) + apart,
         }
     }
 }
@@ -134,11 +138,13 @@ impl Field {
             Shape::Wave { wave, phase } => linear(*wave, *phase),
             Shape::Kink { normal, place } => linear(*normal, -place),
             Shape::Radial { center } | Shape::Blob { center, .. } | Shape::Jump { center, .. } => {
-                let from = away(ray.origin, *center);
+                let square = dot(ray.direction, ray.direction);
+                let nearest = -dot(away(ray.origin, *center), ray.direction) / square;
+                let apart = away(ray.at(nearest), *center);
                 Along::Squared {
-                    square: dot(ray.direction, ray.direction),
-                    slope: dot(from, ray.direction),
-                    at: dot(from, from),
+                    square,
+                    nearest,
+                    apart: dot(apart, apart),
                 }
             }
         }

@@ -41,11 +41,15 @@ impl VolumeCase {
     fn field_text(&self, ray: &Ray) -> String {
         let argument = match self.field.along(ray) {
             Along::Linear { at, slope } => format!("({} + {}*lambda)", number(at), number(slope)),
-            Along::Squared { square, slope, at } => format!(
-                "({}*lambda^2 + {}*lambda + {})",
+            Along::Squared {
+                square,
+                nearest,
+                apart,
+            } => format!(
+                "({}*(lambda - {})^2 + {})",
                 number(square),
-                number(2.0 * slope),
-                number(at)
+                number(nearest),
+                number(apart)
             ),
         };
         let shape = match &self.field.shape {
