@@ -319,3 +319,30 @@ fn defects_are_contradicted_and_named_only_as_what_they_are() {
         }
     }
 }
+
+/// A program that takes no notice of the step is not confirmed by differences that are 0.
+#[test]
+fn steps_that_change_nothing_confirm_nothing() {
+    struct Deaf(Own);
+    impl Renderer for Deaf {
+        fn name(&self) -> String {
+            "deaf".into()
+        }
+        fn render(&mut self, asked: &Asked<'_>) -> Result<Rendered, RenderError> {
+            self.0.render(&Asked {
+                step: 0.01,
+                ..*asked
+            })
+        }
+    }
+    let case = catalogue::find("blob").unwrap();
+    let own: Own = "linear/front-to-back/middle/expm1".parse().unwrap();
+    let plan = Plan {
+        cells: vec![8, 16, 32],
+        axes: vec![Axis::Step],
+        ..plan(own.expected())
+    };
+    let found = imaged(&case, &mut Deaf(own), &plan);
+    assert!(found.pictures.axes[0].changes_nothing);
+    assert_eq!(found.standing(), Standing::Open);
+}

@@ -7,7 +7,7 @@ use volver::case::volume::VolumeCase;
 use volver::image::{Image, file as image_file};
 use volver::reference::ExactPicture;
 use volver::render::ReportError;
-use volver::study::picture::{Asked, Pictures, PixelIs, Plan, Rendered, likeness, norms};
+use volver::study::picture::{Asked, Pictures, Plan, Rendered, likeness, norms};
 use volver::volume::file::{FileError, Geometry, Turned, write, write_camera, write_transfer};
 
 /// The case file of the ray of a pixel.
@@ -70,12 +70,8 @@ pub(super) fn write_files(
 
 /// The picture as the plan has it.
 fn exact(case: &VolumeCase, plan: &Plan) -> Image {
-    let exact = ExactPicture::new(case);
     let size = plan.size(plan.side);
-    match plan.pixel {
-        PixelIs::Centre => exact.centres(size),
-        PixelIs::Mean => exact.means(size, 4),
-    }
+    plan.pixel.exact(&ExactPicture::new(case), size)
 }
 
 /// The errors of pixels, and their orders along each axis, as numbers: `error.npy`, `order-step.npy`, `order-grid.npy`.

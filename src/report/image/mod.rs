@@ -54,7 +54,12 @@ impl Imaged {
 /// How good or bad an axis is.
 fn of_axis(measured: &Measured) -> Tone {
     if measured.changes_nothing {
-        return Tone::Good;
+        // Interpolation may be exact; a program that takes no notice of its steps is not.
+        return if measured.axis == Axis::Grid {
+            Tone::Good
+        } else {
+            Tone::Open
+        };
     }
     match measured.fit.as_ref().map(|fit| fit.verdict) {
         Some(Verdict::Confirmed | Verdict::Exact | Verdict::Fitted) => Tone::Good,
@@ -205,7 +210,7 @@ const SHORT: &str = "falls short";
 fn own_word(axis: &Measured) -> Option<&'static str> {
     let verdict = axis.fit.as_ref().map(|fit| fit.verdict);
     if axis.changes_nothing {
-        Some("no error")
+        Some("no change")
     } else if verdict == Some(Verdict::Stalled) {
         None
     } else {

@@ -30,13 +30,8 @@ impl Ladder<'_> {
         // Of differences those of the other axes, which stay as they are, are no part.
         let differs = clean < 4 && !is_settled(first.as_ref()) && self.others > 0.0;
         let levels = if differs {
-            {
-                let rounding = ROUNDING * brightest(Some(self.wanted));
-                self.levels(
-                    |k| Some((self.images.get(k)?, self.images.get(k + 1)?)),
-                    rounding,
-                )
-            }
+            let next = |k: usize| Some((self.images.get(k)?, self.images.get(k + 1)?));
+            self.levels(next, ROUNDING * brightest(Some(self.wanted)))
         } else {
             Vec::new()
         };

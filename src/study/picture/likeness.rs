@@ -242,11 +242,7 @@ struct Maker<'c> {
 
 impl Maker<'_> {
     fn picture(&self, case: &VolumeCase) -> Image {
-        let exact = ExactPicture::new(case);
-        match self.pixel {
-            PixelIs::Centre => exact.centres(self.size),
-            PixelIs::Mean => exact.means(self.size, 4),
-        }
+        self.pixel.exact(&ExactPicture::new(case), self.size)
     }
 
     /// The volume moved by half a voxel along one axis, or along all.

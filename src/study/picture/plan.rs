@@ -1,6 +1,11 @@
 //! What is refined, and how far.
 
+use crate::image::Image;
+use crate::reference::ExactPicture;
 use serde::Serialize;
+
+/// Points along a pixel's side for its mean.
+pub(super) const MEAN_POINTS: u32 = 4;
 
 /// What is refined.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, Serialize)]
@@ -34,6 +39,17 @@ pub enum PixelIs {
     Centre,
     /// The mean over it.
     Mean,
+}
+
+impl PixelIs {
+    /// The exact picture of such pixels.
+    #[must_use]
+    pub fn exact(self, exact: &ExactPicture<'_>, size: [usize; 2]) -> Image {
+        match self {
+            PixelIs::Centre => exact.centres(size),
+            PixelIs::Mean => exact.means(size, MEAN_POINTS),
+        }
+    }
 }
 
 /// The levels of all axes, and what is expected of each.

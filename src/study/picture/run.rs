@@ -12,9 +12,6 @@ use crate::image::Image;
 use crate::reference::ExactPicture;
 use crate::study::Progress;
 
-/// Points along a pixel's side for its mean.
-pub(super) const MEAN_POINTS: u32 = 4;
-
 /// A renderer with what it is asked.
 pub(super) struct Run<'a, P> {
     pub(super) case: &'a VolumeCase,
@@ -46,10 +43,7 @@ pub fn pictures<P: Progress>(
         quantum: None,
     };
     let (steps, cells) = (last(&plan.steps), last(&plan.cells));
-    let wanted = match plan.pixel {
-        PixelIs::Centre => exact.centres(size),
-        PixelIs::Mean => exact.means(size, MEAN_POINTS),
-    };
+    let wanted = plan.pixel.exact(&exact, size);
     if of_pixels.iter().all(|class| *class == Class::Outside) {
         return Err(RenderError::Unseen);
     }
